@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/depth_noise.hpp"
+
+namespace facet {
+
+/// Sensors whose depth noise is known. `automatic` takes what the data set declares, and Kinect v1 (the paper's
+/// own test sensor) where it declares nothing.
+enum class Sensor { automatic, kinect_v1, azure_kinect, stereo };
+
+FACET_HD inline DepthNoise noise_of(Sensor sensor) {
+  switch (sensor) {
+    case Sensor::azure_kinect: return azure_kinect_noise();
+    case Sensor::stereo: return stereo_noise();
+    default: return kinect_v1_noise();
+  }
+}
+
+}  // namespace facet

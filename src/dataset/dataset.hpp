@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/camera.hpp"
+#include "core/image.hpp"
+#include "core/sensor.hpp"
+
+namespace facet {
+
+/// One decoded frame.
+struct Frame {
+  std::string id;        ///< unique within its data set; also the stem of its output files
+  Image<float> depth_m;  ///< metres along the optical axis, 0 = missing
+  cv::Mat color;         ///< 8-bit BGR; empty where there is none or where it does not fit the depth image
+  Camera camera;
+  double timestamp_s = 0;                     ///< only meaningful in a sequence
+  std::optional<cv::Mat> object_masks;        ///< CV_16U, 0 = none; where the data set has them
+  std::size_t missing_px = 0;                 ///< pixels without depth after reading
+  std::vector<std::filesystem::path> files;   ///< everything that was read, for the data lock
+};
+
+/// A data set: an ordered list of frames that are read one at a time. load() may be called from several threads.
+class Dataset {
+ public:
+  virtual ~Dataset() = default;
+  virtual const std::string& name() const = 0;
+  virtual std::string description() const = 0;  ///< one line for `dataset info`
+  virtual Sensor sensor() const = 0;
+  virtual bool is_sequence() const { return false; }  ///< frames are consecutive in time
+  virtual std::size_t size() const = 0;
+  virtual std::string frame_id(std::size_t index) const = 0;
+  /// Reads and checks one frame; throws Error{data} naming the file and the broken rule.
+  virtual Frame load(std::size_t index) const = 0;
+};
+
+}  // namespace facet

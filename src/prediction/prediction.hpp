@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/image.hpp"
+#include "surface/surface.hpp"
+
+namespace facet {
+
+/// What a method yields for one frame: the meeting place of methods, files and scores.
+struct Prediction {
+  Image<std::uint16_t> labels;  ///< 0 = no surface, k = the surface with id k
+  Image<std::uint8_t> edges;    ///< EdgeKind, + graspable_edge_bit; empty where a method yields no edges
+  std::vector<Surface> surfaces;
+  std::vector<RejectedRegion> rejected;
+  std::string note;  ///< why there is no surface at all, empty otherwise
+};
+
+}  // namespace facet
