@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "core/depth_noise.hpp"
 
 namespace facet {
@@ -7,6 +10,9 @@ namespace facet {
 /// Sensors whose depth noise is known. `automatic` takes what the data set declares, and Kinect v1 (the paper's
 /// own test sensor) where it declares nothing.
 enum class Sensor { automatic, kinect_v1, azure_kinect, stereo };
+
+/// Their names, in order of the values, as configs and data sets spell them.
+inline constexpr std::array<std::string_view, 4> sensor_names{"auto", "kinect_v1", "azure_kinect", "stereo"};
 
 FACET_HD inline DepthNoise noise_of(Sensor sensor) {
   switch (sensor) {

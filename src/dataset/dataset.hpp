@@ -2,11 +2,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <opencv2/core/mat.hpp>
 
 #include "core/camera.hpp"
 #include "core/image.hpp"
@@ -20,13 +19,14 @@ struct Frame {
   Image<float> depth_m;  ///< metres along the optical axis, 0 = missing
   cv::Mat color;         ///< 8-bit BGR; empty where there is none or where it does not fit the depth image
   Camera camera;
-  double timestamp_s = 0;                     ///< only meaningful in a sequence
-  std::optional<cv::Mat> object_masks;        ///< CV_16U, 0 = none; where the data set has them
-  std::size_t missing_px = 0;                 ///< pixels without depth after reading
-  std::vector<std::filesystem::path> files;   ///< everything that was read, for the data lock
+  double timestamp_s = 0;                    ///< only meaningful in a sequence
+  std::optional<cv::Mat> object_masks;       ///< CV_16U, 0 = none; where the data set has them
+  std::size_t missing_px = 0;                ///< pixels without depth after reading
+  std::vector<std::filesystem::path> files;  ///< everything that was read, for the data lock
 };
 
-/// A data set: an ordered list of frames that are read one at a time. load() may be called from several threads.
+/// A data set: an ordered list of frames that are read one at a time. load() may be called from several
+/// threads.
 class Dataset {
  public:
   virtual ~Dataset() = default;

@@ -14,7 +14,7 @@ template <class Enum>
 inline constexpr auto enum_names = nullptr;
 
 template <>
-inline constexpr std::array<std::string_view, 4> enum_names<Sensor>{"auto", "kinect_v1", "azure_kinect", "stereo"};
+inline constexpr auto enum_names<Sensor> = sensor_names;
 template <>
 inline constexpr std::array<std::string_view, 2> enum_names<TemporalMode>{"mean", "robust"};
 template <>

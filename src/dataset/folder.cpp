@@ -1,0 +1,78 @@
+#include "dataset/folder.hpp"
+
+#include <array>
+
+#include "core/error.hpp"
+#include "dataset/depth_image.hpp"
+#include "dataset/folder_layout.hpp"
+#include "dataset/frame_checks.hpp"
+#include "dataset/frame_list.hpp"
+#include "file/file_bytes.hpp"
+
+namespace facet {
+namespace {
+
+class FolderDataset : public ListedDataset {
+ public:
+  FolderDataset(const DatasetSpec& spec, Sensor sensor, std::vector<std::string> ids, FolderLayout layout)
+      : ListedDataset(spec, sensor, std::move(ids)), root_(spec.root), layout_(std::move(layout)) {}
+
+  std::string description() const override {
+    return std::string(layout_.sequence ? "sequence" : "images") + " in " + printable(root_);
+  }
+  bool is_sequence() const override { return layout_.sequence; }
+
+  Frame load(std::size_t index) const override {
+    Frame frame;
+    frame.id = frame_id(index);
+    const auto depth_path = layout_.depth.path(root_, frame.id);
+    DepthImage depth = read_depth_image(depth_path, layout_.depth_unit_m, layout_.missing_codes);
+    check_camera(layout_.camera, depth.depth_m.size(), depth_path);
+    check_depth_unit(depth.depth_m, depth_path);
+    frame.camera = layout_.camera;
+    frame.missing_px = depth.missing_px;
+    frame.depth_m = std::move(depth.depth_m);
+    frame.files = {depth_path};
+    if (layout_.color && layout_.registered) {
+      const auto color_path = layout_.color->path(root_, frame.id);
+      frame.color = read_registered_color(color_path, frame.depth_m.size());
+      frame.files.push_back(color_path);
+    }
+    return frame;
+  }
+
+ private:
+  std::filesystem::path root_;
+  FolderLayout layout_;
+};
+
+}  // namespace
+
+std::span<const OptionInfo> folder_options() {
+  static constexpr std::array<OptionInfo, 9> options{{
+      {"depth", OptionType::text, "pattern of the depth images, for example {id}.depth.png; required"},
+      {"color", OptionType::text, "pattern of the colour images; none without it"},
+      {"depth_unit_m", OptionType::number, "metres per unit of the depth images, 0.001 for mm; required"},
+      {"intrinsics", OptionType::numbers, "[fx, fy, cx, cy] in px; this or intrinsics_file is required"},
+      {"intrinsics_file", OptionType::text, "file with the 3x3 matrix K, relative to the folder"},
+      {"registered", OptionType::flag, "colour fits the depth images pixel by pixel; false without it"},
+      {"missing_codes", OptionType::numbers,
+       "raw values that mean missing depth, beside 0, NaN and infinities"},
+      {"sequence", OptionType::flag, "frames are consecutive in time; false without it"},
+      {"sensor", OptionType::text, "auto, kinect_v1, azure_kinect or stereo; auto without it"},
+  }};
+  return options;
+}
+
+std::unique_ptr<Dataset> open_folder(const DatasetSpec& spec) {
+  if (!std::filesystem::is_directory(spec.root))
+    throw Error(ErrorKind::data, printable(spec.root) + ": folder is missing");
+  ReaderOptions options = spec.options;
+  options.merge(read_dataset_yaml(spec.root));  // keeps what the spec says
+  FolderLayout layout = folder_layout(options, spec.root);
+  auto ids = select_frames(spec, layout.depth.list(spec.root));
+  const Sensor sensor = spec.sensor == Sensor::automatic ? layout.sensor : spec.sensor;
+  return std::make_unique<FolderDataset>(spec, sensor, std::move(ids), std::move(layout));
+}
+
+}  // namespace facet

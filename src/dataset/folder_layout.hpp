@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "core/sensor.hpp"
+#include "dataset/frame_list.hpp"
+#include "dataset/reader_options.hpp"
+
+namespace facet {
+
+/// What is where in a folder of images, and how its numbers are to be understood.
+struct FolderLayout {
+  FramePattern depth;
+  std::optional<FramePattern> color = std::nullopt;
+  double depth_unit_m = 0;            ///< metres per unit of the depth images
+  std::vector<double> missing_codes{};  ///< raw values that mean missing depth, beside 0, NaN and infinities
+  Camera camera{};
+  bool registered = false;  ///< colour was taken through, or mapped to, the depth camera
+  bool sequence = false;    ///< frames are consecutive in time
+  Sensor sensor = Sensor::automatic;
+};
+
+/// The options in `root`/dataset.yaml, none where there is no such file. Throws Error{config} naming file,
+/// line and column where it is not a flat map of known names, scalars and lists.
+ReaderOptions read_dataset_yaml(const std::filesystem::path& root);
+
+/// Throws Error{config} where an option is wrong or a required one (depth, depth_unit_m, intrinsics) is
+/// absent.
+FolderLayout folder_layout(const ReaderOptions& options, const std::filesystem::path& root);
+
+}  // namespace facet

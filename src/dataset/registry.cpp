@@ -1,0 +1,36 @@
+#include "dataset/registry.hpp"
+
+#include <array>
+
+#include "core/error.hpp"
+#include "dataset/folder.hpp"
+#include "dataset/osd.hpp"
+
+namespace facet {
+
+std::span<const ReaderInfo> readers() {
+  static const std::array<ReaderInfo, 2> table{{
+      {"osd", "Object Segmentation Database 0.2 (TU Wien): Kinect v1, table-top clutter", osd_options(), true,
+       open_osd, nullptr},
+      {"folder", "depth images (and colour) in one folder, described by dataset.yaml or by options",
+       folder_options(), true, open_folder, nullptr},
+  }};
+  return table;
+}
+
+const ReaderInfo& find_reader(std::string_view name) {
+  std::string known;
+  for (const ReaderInfo& reader : readers()) {
+    if (reader.name == name) return reader;
+    known += (known.empty() ? "" : ", ") + std::string(reader.name);
+  }
+  throw Error(ErrorKind::config, "no reader is called '" + std::string(name) + "'; there are: " + known);
+}
+
+std::unique_ptr<Dataset> open_dataset(const DatasetSpec& spec) {
+  const ReaderInfo& reader = find_reader(spec.reader);
+  check_options(spec.options, reader.options, "data set '" + spec.name + "'");
+  return reader.open(spec);
+}
+
+}  // namespace facet
