@@ -31,13 +31,14 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("fill.enabled", p.fill.enabled, FieldInfo{"", 0, 0, "fill missing depth (Algorithm 1)"});
   visit("fill.prefer", p.fill.prefer, FieldInfo{"", 0, 0, "far = shadows are filled from their far side only"});
   visit("fill.max_passes", p.fill.max_passes, FieldInfo{"passes", 0, 512, "one pixel is filled per pass and side"});
+  visit("fill.max_hole_px", p.fill.max_hole_px, FieldInfo{"px", 0, 4096, "widest hole that is filled, 0 = any"});
   visit("fill.rim_jump", p.fill.rim_jump, FieldInfo{"m/m", 0, 1, "relative jump across a hole that makes a rim"});
   visit("fill.rim_search_px", p.fill.rim_search_px, FieldInfo{"px", 1, 256, "how far across a hole to look"});
 
   visit("wiener.enabled", p.wiener.enabled, FieldInfo{"", 0, 0, "adaptive Wiener filter (eq. 2)"});
   visit("wiener.gain", p.wiener.gain, FieldInfo{"", 0, 0, "paper = eq. 2 as printed, lim = Lim 1990"});
   visit("wiener.noise", p.wiener.noise, FieldInfo{"", 0, 0, "sensor model, or mean of the local variances"});
-  visit("wiener.window_px", p.wiener.window_px, FieldInfo{"px", 3, 15, "side of the window", true});
+  visit("wiener.window_px", p.wiener.window_px, FieldInfo{"px", 3, 7, "side of the window", true});
   visit("wiener.detrend", p.wiener.detrend, FieldInfo{"", 0, 0, "variance about the local slope"});
 
   visit("gradient.operator", p.gradient.op, FieldInfo{"", 0, 0, "Sobel or plain central differences"});

@@ -1,5 +1,12 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+
+#include "core/camera.hpp"
+#include "core/image_view.hpp"
+#include "core/neighbours.hpp"
+
 namespace facet {
 
 enum class Convexity {
@@ -11,5 +18,104 @@ struct EdgeKindParams {
   Convexity convexity = Convexity::signed_test;
   float hessian_dead_band_per_m = 1.0f;  ///< hessian: curvature below this is undecided [1/m], 0..1000
 };
+
+/// Codes of the edge image (scoring format): what the edge is, and whether a finger could reach it.
+enum EdgeCode : std::uint8_t { edge_none = 0, edge_depth = 1, edge_convex = 2, edge_concave = 3, edge_graspable = 16 };
+
+/// Signed test of a crease: over planes inverse depth is affine in pixels, so its second difference across the
+/// crease tells the sign. Negative = the surface bulges towards the camera = convex; this is the sign of
+/// (p2 - p1) . (n2 - n1) for normals towards the camera. Summed over distances 1 ... reach, in the direction where
+/// it is largest; samples stop at missing pixels and at depth edges.
+struct SecondDifference {
+  static constexpr int reach = 6;
+  ImageView<const float> depth_m;
+  ImageView<const std::uint8_t> depth_edge;
+
+  FACET_HD float operator()(int x, int y) const {
+    float dominant = 0;
+    for (int i = 0; i < 4; ++i) {
+      const float s = along(x, y, direction4(i));
+      if (s * s > dominant * dominant) dominant = s;
+    }
+    return dominant;
+  }
+
+ private:
+  FACET_HD float along(int x, int y, Offset d) const {
+    float sum = 0;
+    for (int k = 1; k <= reach; ++k) {
+      const int x0 = x - k * d.dx, y0 = y - k * d.dy, x1 = x + k * d.dx, y1 = y + k * d.dy;
+      if (!usable(x0, y0) || !usable(x1, y1)) break;
+      sum += 1 / depth_m(x0, y0) - 2 / depth_m(x, y) + 1 / depth_m(x1, y1);
+    }
+    return sum;
+  }
+  FACET_HD bool usable(int x, int y) const {
+    return depth_m.size().contains(x, y) && depth_m(x, y) > 0 && !depth_edge(x, y);
+  }
+};
+
+/// Table 1 of the paper as printed, with z = depth: the sign of the dominant eigenvalue of the Hessian, positive =
+/// concave. For depth, which grows away from the camera, that sign is reversed (a ball has a positive definite
+/// Hessian); kept for comparison. Returns the eigenvalue [1/m].
+struct DominantHessianEigenvalue {
+  ImageView<const float> depth_m, gx, gy;
+  float focal_px;
+
+  FACET_HD float operator()(int x, int y) const {
+    const GuardedAccess access;
+    const float pixel_m = depth_m(x, y) / focal_px;
+    const float scale = 0.5f / (pixel_m * pixel_m);
+    const float xx = scale * (access.clamped(gx, x + 1, y) - access.clamped(gx, x - 1, y));
+    const float yy = scale * (access.clamped(gy, x, y + 1) - access.clamped(gy, x, y - 1));
+    const float xy = scale * (access.clamped(gx, x, y + 1) - access.clamped(gx, x, y - 1));
+    const float half_trace = 0.5f * (xx + yy);
+    const float root = sqrtf(0.25f * (xx - yy) * (xx - yy) + xy * xy);
+    return half_trace >= 0 ? half_trace + root : half_trace - root;
+  }
+};
+
+/// Gives every edge pixel its code. A pixel on or beside a depth edge is a depth edge; of the others, creases, the
+/// convexity decides, and what it leaves undecided counts as concave, for which no grasp is claimed. Graspable are
+/// depth edges (they stand on the occluding side) and convex creases.
+struct EdgeKindOp {
+  static constexpr int radius = 0;
+  ImageView<const std::uint8_t> depth_edge;
+  Convexity convexity;
+  SecondDifference second_difference;
+  DominantHessianEigenvalue hessian;
+  float dead_band_per_m;
+  ImageView<std::uint8_t> code;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    code(x, y) = beside_depth_edge(x, y) ? edge_depth | edge_graspable
+                 : is_convex(x, y)       ? edge_convex | edge_graspable
+                                         : edge_concave;
+  }
+
+ private:
+  FACET_HD bool beside_depth_edge(int x, int y) const {
+    const GuardedAccess access;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if (access.or_zero(depth_edge, x + dx, y + dy)) return true;
+    return false;
+  }
+  FACET_HD bool is_convex(int x, int y) const {
+    if (!(second_difference.depth_m(x, y) > 0)) return false;
+    return convexity == Convexity::signed_test ? second_difference(x, y) < 0 : hessian(x, y) < -dead_band_per_m;
+  }
+};
+
+/// Codes for the pixels set in `edge` (others are left 0). gx, gy: depth gradient [m/px], used by the Hessian only.
+template <class Executor>
+void edge_kind(Executor& executor, const EdgeKindParams& params, const Camera& camera, ImageView<const float> depth_m,
+               ImageView<const float> gx, ImageView<const float> gy, ImageView<const std::uint8_t> depth_edge,
+               ImageView<std::uint8_t> edge, ImageView<std::uint8_t> code) {
+  executor.fill(code, std::uint8_t{0});
+  executor.for_each_set(edge, EdgeKindOp{depth_edge, params.convexity, {depth_m, depth_edge},
+                                         {depth_m, gx, gy, camera.fx}, params.hessian_dead_band_per_m, code});
+}
 
 }  // namespace facet

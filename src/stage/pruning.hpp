@@ -1,5 +1,11 @@
 #pragma once
 
+#include <cstdint>
+
+#include "core/atomic.hpp"
+#include "core/image_view.hpp"
+#include "core/neighbour_table.hpp"
+
 namespace facet {
 
 enum class PruningMode {
@@ -12,5 +18,113 @@ struct PruningParams {
   PruningMode mode = PruningMode::stability;
   int iterations = 10;  ///< gonzalez: n, the longest spur that vanishes [px], 0..100
 };
+
+/// End points of a thin line: no neighbour, one neighbour, or two that touch each other on a side.
+constexpr bool is_end_point(unsigned code) {
+  int count = 0;
+  bool adjacent = false;
+  for (unsigned i = 0; i < 8; ++i) {
+    if (!(code >> i & 1u)) continue;
+    ++count;
+    adjacent |= (code >> ((i + 1) % 8) & 1u) != 0;
+  }
+  return count <= 1 || (count == 2 && adjacent);
+}
+inline constexpr NeighbourTable end_point_table = make_neighbour_table(is_end_point);
+
+/// Marks the end points of the edge mask.
+struct EndPointOp {
+  static constexpr int radius = 0;
+  NeighbourTable table;
+  ImageView<const std::uint8_t> edge;
+  ImageView<std::uint8_t> mark;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    mark(x, y) = table[neighbour_code(edge, x, y)];
+  }
+};
+
+/// Deletes what was marked.
+struct DeleteMarkedOp {
+  static constexpr int radius = 0;
+  ImageView<std::uint8_t> edge, mark;
+  int* changed;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    if (!mark(x, y)) return;
+    mark(x, y) = 0;
+    edge(x, y) = 0;
+    raise_flag(changed);
+  }
+};
+
+/// One step of the conditional dilation: original edge pixels beside the front join it. Reads `front`, writes `grown`.
+struct ConditionalDilationOp {
+  static constexpr int radius = 0;
+  ImageView<const std::uint8_t> front;
+  ImageView<std::uint8_t> grown;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    const GuardedAccess access;
+    std::uint8_t value = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) value |= access.or_zero(front, x + dx, y + dy) ? 1 : 0;
+    grown(x, y) = value;
+  }
+};
+
+/// Adds one mask to another.
+struct JoinOp {
+  static constexpr int radius = 0;
+  ImageView<const std::uint8_t> from;
+  ImageView<std::uint8_t> into;
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    into(x, y) |= from(x, y);
+  }
+};
+
+/// Removes end points `passes` times, all of one pass at once. `mark` must be zero and is left so.
+template <class Executor>
+void remove_end_points(Executor& executor, int passes, ImageView<std::uint8_t> edge, ImageView<std::uint8_t> mark) {
+  executor.take_changed();
+  for (int pass = 0; pass < passes; ++pass) {
+    executor.for_each_set(edge, EndPointOp{end_point_table, edge, mark});
+    executor.for_each_set(edge, DeleteMarkedOp{edge, mark, executor.changed_flag()});
+    if (!executor.take_changed()) break;
+  }
+}
+
+/// Scratch masks of the pruning, all of the frame's size.
+struct PruningScratch {
+  ImageView<std::uint8_t> original, mark, grown;
+};
+
+/// Pruning of a thin edge mask in place (paper eq. 10; Gonzalez and Woods). `stability` removes every open branch:
+/// only closed loops, and lines between them, remain. `gonzalez` removes end points n times (X1), finds the end
+/// points of what is left (X2), grows them back along the original n times (X3) and returns the union (X4): spurs
+/// of up to n pixels vanish, longer lines keep their length.
+template <class Executor>
+void prune(Executor& executor, const PruningParams& params, ImageView<std::uint8_t> edge,
+           const PruningScratch& scratch) {
+  if (params.mode == PruningMode::none) return;
+  executor.fill(scratch.mark, std::uint8_t{0});
+  if (params.mode == PruningMode::stability) {
+    remove_end_points(executor, edge.width * edge.height, edge, scratch.mark);
+    return;
+  }
+  executor.copy(ImageView<const std::uint8_t>(edge), scratch.original);
+  remove_end_points(executor, params.iterations, edge, scratch.mark);
+  executor.for_each_set(edge, EndPointOp{end_point_table, edge, scratch.mark});
+  executor.fill(scratch.grown, std::uint8_t{0});
+  for (int i = 0; i < params.iterations; ++i) {
+    executor.for_each_set(scratch.original, ConditionalDilationOp{scratch.mark, scratch.grown});
+    executor.copy(ImageView<const std::uint8_t>(scratch.grown), scratch.mark);
+  }
+  executor.for_each_pixel(edge.size(), JoinOp{scratch.mark, edge});
+}
 
 }  // namespace facet

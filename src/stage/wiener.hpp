@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cstdint>
+
+#include "core/depth_noise.hpp"
+#include "core/image_view.hpp"
+
 namespace facet {
 
 enum class WienerGain {
@@ -15,8 +20,112 @@ struct WienerParams {
   bool enabled = true;
   WienerGain gain = WienerGain::lim;
   WienerNoise noise = WienerNoise::sensor;
-  int window_px = 5;    ///< side of the square window, odd [px], 3..15
+  int window_px = 5;    ///< side of the square window, odd [px], 3..7
   bool detrend = true;  ///< subtract the local plane's slope from the variance, so that a slope is not signal
 };
+
+/// Mean and variance of the valid pixels in a (2 Radius + 1)^2 window, the variance about the local mean (two
+/// passes: no cancellation at 4 m) or, detrended, about the window's least-squares plane. A pixel that is missing
+/// or has fewer than five valid neighbours gets variance -1: it passes through unfiltered.
+template <int Radius>
+struct WienerStatisticsOp {
+  static constexpr int radius = Radius;
+  static constexpr int min_valid = 5;
+  ImageView<const float> depth_m;
+  bool detrend;
+  ImageView<float> mean_m, variance_m2;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access access) const {
+    float n = 0, sum = 0;
+    for (int dy = -Radius; dy <= Radius; ++dy)
+      for (int dx = -Radius; dx <= Radius; ++dx) {
+        const float z = access.clamped(depth_m, x + dx, y + dy);
+        n += z > 0 ? 1.0f : 0.0f;
+        sum += z;
+      }
+    const float mean = sum / (n > 0 ? n : 1.0f);
+    float squares = 0, along_x = 0, along_y = 0;
+    for (int dy = -Radius; dy <= Radius; ++dy)
+      for (int dx = -Radius; dx <= Radius; ++dx) {
+        const float z = access.clamped(depth_m, x + dx, y + dy);
+        const float d = z > 0 ? z - mean : 0.0f;
+        squares += d * d;
+        along_x += static_cast<float>(dx) * d;
+        along_y += static_cast<float>(dy) * d;
+      }
+    // Sum of dx^2 over the window: (2R+1) * R (R+1) (2R+1) / 3. With holes the slope is slightly damped.
+    constexpr float spread = (2 * Radius + 1) * (2 * Radius + 1) * Radius * (Radius + 1) / 3.0f;
+    const float trend = detrend ? (along_x * along_x + along_y * along_y) / spread : 0.0f;
+    const float residual = squares - trend;
+    const float variance = (residual > 0 ? residual : 0.0f) / (n > 0 ? n : 1.0f);
+    mean_m(x, y) = mean;
+    variance_m2(x, y) = n >= min_valid && depth_m(x, y) > 0 ? variance : -1.0f;
+  }
+};
+
+/// Variances as integers, so that their sum is exact in any order: unit 1e-10 m^2, i.e. (10 um)^2, at most 1 m^2.
+struct WienerVarianceSum {
+  static constexpr float units_per_m2 = 1e10f;
+  ImageView<const float> variance_m2;
+
+  FACET_HD std::int64_t operator()(int x, int y) const {
+    const float v = variance_m2(x, y);
+    return v < 0 ? 0 : static_cast<std::int64_t>((v < 1 ? v : 1.0f) * units_per_m2);
+  }
+};
+struct WienerVarianceCount {
+  ImageView<const float> variance_m2;
+  FACET_HD std::int64_t operator()(int x, int y) const { return variance_m2(x, y) >= 0 ? 1 : 0; }
+};
+
+/// Pulls each depth towards its local mean by how much of the local variance is noise.
+struct WienerApplyOp {
+  static constexpr int radius = 0;
+  ImageView<const float> depth_m, mean_m, variance_m2;
+  WienerGain gain;
+  bool use_sensor;
+  DepthNoise sensor;
+  float noise_m2;  ///< noise variance where the sensor model is not used
+  ImageView<float> out;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    const float z = depth_m(x, y);
+    const float variance = variance_m2(x, y);
+    const float sigma = sensor.sigma_m(z);
+    const float noise = use_sensor ? sigma * sigma : noise_m2;
+    const float excess = variance - noise;
+    const float larger = variance > noise ? variance : noise;
+    const float lim = (excess > 0 ? excess : 0.0f) / (larger > 0 ? larger : 1.0f);
+    const float sum = variance + noise;
+    const float printed = sum > 0 ? variance / sum : 1.0f;
+    const float g = gain == WienerGain::lim ? lim : printed;
+    const float mean = mean_m(x, y);
+    out(x, y) = variance < 0 ? z : mean + g * (z - mean);
+  }
+};
+
+/// Adaptive Wiener filter over valid pixels (paper eq. 2; Lim 1990, eqs 9.44-9.46). `mean_m` and `variance_m2` are
+/// scratch of the same size. Missing pixels stay missing.
+template <class Executor>
+void wiener(Executor& executor, const WienerParams& params, const DepthNoise& sensor, ImageView<const float> depth_m,
+            ImageView<float> mean_m, ImageView<float> variance_m2, ImageView<float> out) {
+  const Size size = depth_m.size();
+  switch (params.window_px / 2) {
+    case 1: executor.for_each_pixel(size, WienerStatisticsOp<1>{depth_m, params.detrend, mean_m, variance_m2}); break;
+    case 2: executor.for_each_pixel(size, WienerStatisticsOp<2>{depth_m, params.detrend, mean_m, variance_m2}); break;
+    default: executor.for_each_pixel(size, WienerStatisticsOp<3>{depth_m, params.detrend, mean_m, variance_m2}); break;
+  }
+  float noise_m2 = 0;
+  if (params.noise == WienerNoise::mean) {
+    const std::int64_t count = executor.sum_pixels(size, WienerVarianceCount{variance_m2});
+    const std::int64_t sum = executor.sum_pixels(size, WienerVarianceSum{variance_m2});
+    if (count > 0)
+      noise_m2 = static_cast<float>(static_cast<double>(sum) / static_cast<double>(count) / WienerVarianceSum::units_per_m2);
+  }
+  executor.for_each_pixel(size, WienerApplyOp{depth_m, mean_m, variance_m2, params.gain,
+                                              params.noise == WienerNoise::sensor, sensor, noise_m2, out});
+}
 
 }  // namespace facet

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "core/image.hpp"
+
+namespace facet {
+
+/// Runs pixel operations on the CPU, in row bands when it has more than one thread. The loop is split into an
+/// interior that reads without border tests, so that it vectorises, and a guarded border; results depend neither
+/// on the split nor on the number of threads.
+///
+/// A pixel operation `op` is a trivially copyable struct with `radius` (how far it reads) and
+/// `op(x, y, access)`; it writes its own pixel only.
+class CpuExecutor {
+ public:
+  template <class T>
+  using Image = facet::Image<T>;
+
+  explicit CpuExecutor(int threads = 1) : threads_(threads), arena_(threads) {}
+
+  /// op(x, y, access) for every pixel.
+  template <class Op>
+  void for_each_pixel(Size size, const Op& op) {
+    for_each_band(size.height, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) run_row(op, size, y);
+    });
+  }
+
+  /// op(x, y, access) for every pixel that is non-zero in `mask`; for sparse masks. The operation may clear its
+  /// own pixel of the mask, nothing else of it.
+  template <class Op>
+  void for_each_set(ImageView<std::uint8_t> mask, const Op& op) {
+    for_each_band(mask.height, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) run_set_row(op, mask, y);
+    });
+  }
+
+  /// Sum over all pixels of the integer op(x, y): exact, so the order does not matter.
+  template <class Op>
+  std::int64_t sum_pixels(Size size, const Op& op) {
+    std::int64_t sum = 0;
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) sum += op(x, y);
+    return sum;
+  }
+
+  template <class T>
+  void copy(ImageView<const T> from, ImageView<T> to) {
+    for (int y = 0; y < from.height; ++y)
+      std::memcpy(to.row(y), from.row(y), sizeof(T) * static_cast<std::size_t>(from.width));
+  }
+  template <class T>
+  void fill(ImageView<T> image, T value) {
+    for (int y = 0; y < image.height; ++y) std::fill_n(image.row(y), image.width, value);
+  }
+
+  /// Flag that operations of an iterated pass raise when they changed something.
+  int* changed_flag() { return &changed_; }
+  bool take_changed() {
+    const bool changed = changed_ != 0;
+    changed_ = 0;
+    return changed;
+  }
+
+  /// Runs `work` and adds its wall time [ms] to `elapsed_ms`.
+  template <class Work>
+  void timed(double& elapsed_ms, const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    elapsed_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  }
+
+ private:
+  template <class Op>
+  static void run_row(const Op& shared_op, Size size, int y) {
+    const Op op = shared_op;  // a local copy: its views cannot alias what it writes
+    const int r = op.radius;
+    const bool inside = y >= r && y < size.height - r && size.width > 2 * r;
+    const int begin = inside ? r : size.width;
+    const int end = inside ? size.width - r : size.width;
+    for (int x = 0; x < begin; ++x) op(x, y, GuardedAccess{});
+#pragma GCC ivdep
+    for (int x = begin; x < end; ++x) op(x, y, InteriorAccess{});
+    for (int x = end; x < size.width; ++x) op(x, y, GuardedAccess{});
+  }
+
+  template <class Op>
+  static void run_set_row(const Op& op, ImageView<std::uint8_t> mask, int y) {
+    const std::uint8_t* row = mask.row(y);
+    int x = 0;
+    for (; x + 8 <= mask.width; x += 8) {
+      std::uint64_t word;
+      std::memcpy(&word, row + x, sizeof word);
+      if (word == 0) continue;
+      for (int i = x; i < x + 8; ++i)
+        if (row[i]) op(i, y, GuardedAccess{});
+    }
+    for (; x < mask.width; ++x)
+      if (row[x]) op(x, y, GuardedAccess{});
+  }
+
+  template <class Band>
+  void for_each_band(int rows, const Band& band) {
+    if (threads_ == 1) {
+      band(0, rows);
+      return;
+    }
+    arena_.execute([&] {
+      tbb::parallel_for(0, threads_, [&](int i) { band(rows * i / threads_, rows * (i + 1) / threads_); });
+    });
+  }
+
+  int threads_;
+  tbb::task_arena arena_;
+  int changed_ = 0;
+};
+
+}  // namespace facet

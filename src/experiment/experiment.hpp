@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/registry.hpp"
+#include "method/method_spec.hpp"
+
+namespace facet {
+
+enum class PoseScore { automatic, on, off };
+struct ScoreOptions {
+  bool surfaces = true;
+  bool edges = true;
+  bool objects = true;
+  PoseScore pose = PoseScore::automatic;  ///< automatic: where the truth has planes or poses
+};
+
+struct TimingOptions {
+  int warmup = 3;    ///< runs of every frame before those that count
+  int repeats = 50;  ///< counted runs of every frame; 0 = no timing pass
+  int threads = 1;   ///< inside one frame
+};
+
+struct OutputOptions {
+  bool predictions = true;
+  bool overlays = true;
+  int gallery = 0;  ///< worst frames kept as pictures
+};
+
+enum class AblationDesign { leave_one_out, one_in, cumulative, factorial };
+struct AblationOptions {
+  AblationDesign design = AblationDesign::leave_one_out;
+  std::string base = "default";       ///< method whose switches are turned
+  std::vector<std::string> switches;  ///< names of ablation_switches
+};
+inline constexpr std::array<std::string_view, 7> ablation_switches{
+    "temporal", "fill", "wiener", "sobel", "morphology", "pruning", "validation"};
+
+/// One parameter of a sweep and the values it takes.
+struct SweepAxis {
+  std::string parameter;
+  std::vector<std::string> values;  ///< as text, checked against the parameter's type and range
+};
+
+/// What a run does: the content of an experiment file.
+struct Experiment {
+  std::string name;
+  int seed = 1;
+  std::vector<DatasetSpec> datasets;
+  std::vector<MethodSpec> methods;
+  ScoreOptions score;
+  TimingOptions timing;
+  OutputOptions outputs;
+  std::optional<AblationOptions> ablation;
+  std::vector<SweepAxis> sweep;
+};
+
+}  // namespace facet

@@ -1,0 +1,158 @@
+#include "experiment/experiment_reader.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "experiment/config_layers.hpp"
+#include "experiment/experiment_fields.hpp"
+
+namespace facet {
+namespace {
+
+ConfigEntry named_list(const std::string& key, const std::string& element_name) {
+  ConfigValue name;
+  name.kind = ConfigValue::Kind::scalar;
+  name.scalar = element_name;
+  ConfigValue element;
+  element.kind = ConfigValue::Kind::map;
+  element.entries.push_back({"name", {}, name});
+  ConfigValue list;
+  list.kind = ConfigValue::Kind::list;
+  list.items.push_back(element);
+  return {key, {}, list};
+}
+
+/// The built-in data set and method, so that --set can address them.
+void add_built_in_lists(ConfigValue& tree) {
+  const Experiment built_in = built_in_experiment();
+  if (tree.find("datasets") == nullptr) tree.set(named_list("datasets", built_in.datasets.front().name));
+  if (tree.find("methods") == nullptr) tree.set(named_list("methods", built_in.methods.front().name));
+}
+
+std::string element_path(const ConfigValue& element, const std::string& section, std::size_t index) {
+  const ConfigEntry* name = element.find("name");
+  if (name != nullptr && name->value.is_scalar()) return section + '.' + name->value.scalar;
+  return element.is_scalar() ? section + '.' + element.scalar : fmt::format("{}[{}]", section, index);
+}
+
+template <class Spec, class Read>
+std::vector<Spec> read_elements(SectionReader& reader, const std::string& section, ConfigErrors& errors,
+                                const Read& read) {
+  std::vector<Spec> specs;
+  std::set<std::string> names;
+  const auto items = reader.take_list(section, "a list with at least one entry");
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string where = element_path(items[i], section, i);
+    specs.push_back(read(items[i], where));
+    if (!names.insert(specs.back().name).second)
+      errors.add(items[i].origin, where, specs.back().name, "a name that is used once");
+  }
+  return specs;
+}
+
+AblationOptions read_ablation(const ConfigValue& value, ConfigErrors& errors, OriginTable& origins) {
+  AblationOptions options;
+  SectionReader reader(value, "ablation", errors, origins);
+  visit_ablation_fields(options, reader);
+  const std::vector<std::string> known{ablation_switches.begin(), ablation_switches.end()};
+  const std::string expected = fmt::format("switches among {}", fmt::join(known, ", "));
+  for (const ConfigValue& item : reader.take_list("switches", expected)) {
+    if (std::find(known.begin(), known.end(), item.scalar) == known.end())
+      reader.reject(item, "switches", expected, nearest_name(item.scalar, known));
+    options.switches.push_back(item.scalar);
+  }
+  reader.finish();
+  return options;
+}
+
+/// Checks a swept value by reading it as its parameter.
+std::vector<SweepAxis> read_sweep(const ConfigValue& value, ConfigErrors& errors, OriginTable& origins) {
+  std::vector<SweepAxis> axes;
+  SectionReader section(value, "sweep", errors, origins);
+  PipelineParams scratch;
+  visit_fields(scratch, [&](std::string_view key, auto& member, const FieldInfo& info) {
+    const ConfigValue* list = section.take(key);
+    if (list == nullptr) return;
+    SweepAxis axis{std::string(key), {}};
+    if (!list->is_list() || list->items.empty()) section.reject(*list, key, "a list of values");
+    for (const ConfigValue& item : list->items) {
+      if (!read_typed(item, member) || !in_range(member, info))
+        section.reject(item, key, expectation<std::decay_t<decltype(member)>>(info));
+      axis.values.push_back(item.scalar);
+    }
+    axes.push_back(std::move(axis));
+  });
+  section.finish();
+  return axes;
+}
+
+void read_name(SectionReader& reader, Experiment& experiment) {
+  const ConfigValue* name = reader.take("name");
+  if (name == nullptr) return;
+  if (!read_typed(*name, experiment.name) || !is_plain_name(experiment.name))
+    reader.reject(*name, "name", "letters, digits, '.', '_' and '-'");
+}
+
+void read_sections(SectionReader& reader, LoadedExperiment& loaded, ConfigErrors& errors) {
+  Experiment& e = loaded.experiment;
+  OriginTable& origins = loaded.origins;
+  const auto section = [&](const char* key, auto&& visit_section, auto& options) {
+    const ConfigValue* value = reader.take(key);
+    if (value == nullptr) return;
+    SectionReader inner(*value, key, errors, origins);
+    visit_section(options, inner);
+    inner.finish();
+  };
+  section("score", [](auto& o, auto& v) { visit_score_fields(o, v); }, e.score);
+  section("timing", [](auto& o, auto& v) { visit_timing_fields(o, v); }, e.timing);
+  section("outputs", [](auto& o, auto& v) { visit_output_fields(o, v); }, e.outputs);
+  if (const ConfigValue* ablation = reader.take("ablation"))
+    e.ablation = read_ablation(*ablation, errors, origins);
+  if (const ConfigValue* sweep = reader.take("sweep")) e.sweep = read_sweep(*sweep, errors, origins);
+}
+
+}  // namespace
+
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name.front() != '.' &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return c < 128 && (std::isalnum(c) || c == '.' || c == '_' || c == '-');
+         });
+}
+
+Experiment built_in_experiment() {
+  Experiment experiment;
+  experiment.datasets = {named_dataset("synthetic")};
+  experiment.methods = {MethodSpec{}};
+  return experiment;
+}
+
+LoadedExperiment load_experiment(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  ConfigErrors errors;
+  ConfigValue tree = load_layers(file, errors);
+  errors.throw_if_any();
+  add_built_in_lists(tree);
+  apply_overrides(tree, overrides, errors);
+  LoadedExperiment loaded;
+  Experiment& experiment = loaded.experiment;
+  experiment.name = file.stem().string();
+  SectionReader reader(tree, "", errors, loaded.origins);
+  reader.take("schema");
+  read_name(reader, experiment);
+  visit_seed_field(experiment.seed, reader);
+  experiment.datasets = read_elements<DatasetSpec>(
+      reader, "datasets", errors,
+      [&](const auto& item, const auto& where) { return read_dataset(item, where, errors, loaded.origins); });
+  experiment.methods = read_elements<MethodSpec>(
+      reader, "methods", errors,
+      [&](const auto& item, const auto& where) { return read_method(item, where, errors, loaded.origins); });
+  read_sections(reader, loaded, errors);
+  reader.finish();
+  errors.throw_if_any();
+  return loaded;
+}
+
+}  // namespace facet

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/params.hpp"
+
+namespace facet {
+
+/// One entry of an experiment's `methods`.
+struct MethodSpec {
+  std::string name = "default";
+  std::string kind = "pipeline";  ///< a name of the table in method/registry.hpp
+  PipelineParams params;          ///< kind pipeline
+};
+
+}  // namespace facet

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/image_view.hpp"
+#include "core/neighbours.hpp"
+#include "stage/ridge.hpp"
+#include "stage/ridge.hpp"
+
+namespace facet {
+
+/// Keeps local maxima of strength across the edge. Of two equal neighbours the earlier one stays, so that a
+/// plateau of two pixels, the response to an ideal step, becomes one line without gaps.
+struct NonMaxSuppressionOp {
+  static constexpr int radius = 1;
+  ImageView<const float> strength;
+  ImageView<const std::uint8_t> direction;
+  float low, high;
+  ImageView<std::uint8_t> ridge;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access access) const {
+    const float s = strength(x, y);
+    Ridge kept = Ridge::none;
+    if (s > low) {
+      const Offset d = direction4(direction(x, y));
+      const bool is_max = s > access.or_zero(strength, x - d.dx, y - d.dy) &&
+                          s >= access.or_zero(strength, x + d.dx, y + d.dy);
+      if (is_max) kept = s > high ? Ridge::strong : Ridge::weak;
+    }
+    ridge(x, y) = static_cast<std::uint8_t>(kept);
+  }
+};
+
+/// Canny's second step (paper section 4.2.1): ridges of `strength` along `direction` (a direction4 per pixel, across
+/// the edge), split by two thresholds in the unit of `strength`.
+template <class Executor>
+void non_max_suppression(Executor& executor, ImageView<const float> strength, ImageView<const std::uint8_t> direction,
+                         float low, float high, ImageView<std::uint8_t> ridge) {
+  executor.for_each_pixel(strength.size(), NonMaxSuppressionOp{strength, direction, low, high, ridge});
+}
+
+}  // namespace facet

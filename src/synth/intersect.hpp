@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "synth/patch.hpp"
+
+namespace facet {
+
+/// Where a ray meets a patch: at origin + distance * direction, on its front or on its back.
+struct PatchHit {
+  double distance = 0;
+  bool front = true;
+};
+
+/// Nearest intersection with 0 < distance < limit of a ray given in the frame of the patch. Backs of patches
+/// that belong to solids are passed through.
+std::optional<PatchHit> intersect(const Patch& patch, Vec3d origin, Vec3d direction, double limit);
+
+}  // namespace facet
