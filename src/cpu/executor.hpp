@@ -57,6 +57,19 @@ class CpuExecutor {
     for (int y = 0; y < from.height; ++y)
       std::memcpy(to.row(y), from.row(y), sizeof(T) * static_cast<std::size_t>(from.width));
   }
+  /// Host memory to the executor's and back; on_host: where the host may read an image.
+  template <class T>
+  void upload(ImageView<const T> host, ImageView<T> image) {
+    copy(host, image);
+  }
+  template <class T>
+  void download(ImageView<T> image, ImageView<T> host) {
+    copy(ImageView<const T>(image), host);
+  }
+  template <class T>
+  ImageView<const T> on_host(const Image<T>& image) {
+    return image.view();
+  }
   template <class T>
   void fill(ImageView<T> image, T value) {
     for (int y = 0; y < image.height; ++y) std::fill_n(image.row(y), image.width, value);

@@ -75,6 +75,7 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("validation.enabled", p.validation.enabled, FieldInfo{"", 0, 0, "drop regions that cannot be surfaces"});
   visit("validation.min_area_px", p.validation.min_area_px, FieldInfo{"px", 0, 1000000, "least area"});
   visit("validation.min_size_mm", p.validation.min_size_mm, FieldInfo{"mm", 0, 1000, "least side at its depth"});
+  visit("validation.min_width_px", p.validation.min_width_px, FieldInfo{"px", 0, 1000, "least mean width"});
   visit("validation.min_valid_share", p.validation.min_valid_share,
         FieldInfo{"", 0, 1, "least share of pixels with measured depth"});
 

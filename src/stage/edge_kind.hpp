@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/camera.hpp"
+#include "core/edge_code.hpp"
 #include "core/image_view.hpp"
 #include "core/neighbours.hpp"
 
@@ -18,9 +19,6 @@ struct EdgeKindParams {
   Convexity convexity = Convexity::signed_test;
   float hessian_dead_band_per_m = 1.0f;  ///< hessian: curvature below this is undecided [1/m], 0..1000
 };
-
-/// Codes of the edge image (scoring format): what the edge is, and whether a finger could reach it.
-enum EdgeCode : std::uint8_t { edge_none = 0, edge_depth = 1, edge_convex = 2, edge_concave = 3, edge_graspable = 16 };
 
 /// Signed test of a crease: over planes inverse depth is affine in pixels, so its second difference across the
 /// crease tells the sign. Negative = the surface bulges towards the camera = convex; this is the sign of
@@ -89,9 +87,10 @@ struct EdgeKindOp {
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
-    code(x, y) = beside_depth_edge(x, y) ? edge_depth | edge_graspable
-                 : is_convex(x, y)       ? edge_convex | edge_graspable
-                                         : edge_concave;
+    const EdgeKind kind = beside_depth_edge(x, y) ? EdgeKind::depth
+                          : is_convex(x, y)       ? EdgeKind::convex
+                                                  : EdgeKind::concave;
+    code(x, y) = edge_code(kind, kind != EdgeKind::concave);
   }
 
  private:

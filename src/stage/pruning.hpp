@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "core/atomic.hpp"
 #include "core/image_view.hpp"
 #include "core/neighbour_table.hpp"
+#include "stage/mask_by_table.hpp"
 
 namespace facet {
 
@@ -32,34 +32,6 @@ constexpr bool is_end_point(unsigned code) {
 }
 inline constexpr NeighbourTable end_point_table = make_neighbour_table(is_end_point);
 
-/// Marks the end points of the edge mask.
-struct EndPointOp {
-  static constexpr int radius = 0;
-  NeighbourTable table;
-  ImageView<const std::uint8_t> edge;
-  ImageView<std::uint8_t> mark;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
-    mark(x, y) = table[neighbour_code(edge, x, y)];
-  }
-};
-
-/// Deletes what was marked.
-struct DeleteMarkedOp {
-  static constexpr int radius = 0;
-  ImageView<std::uint8_t> edge, mark;
-  int* changed;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
-    if (!mark(x, y)) return;
-    mark(x, y) = 0;
-    edge(x, y) = 0;
-    raise_flag(changed);
-  }
-};
-
 /// One step of the conditional dilation: original edge pixels beside the front join it. Reads `front`, writes `grown`.
 struct ConditionalDilationOp {
   static constexpr int radius = 0;
@@ -69,10 +41,10 @@ struct ConditionalDilationOp {
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
     const GuardedAccess access;
-    std::uint8_t value = 0;
+    bool reached = false;
     for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) value |= access.or_zero(front, x + dx, y + dy) ? 1 : 0;
-    grown(x, y) = value;
+      for (int dx = -1; dx <= 1; ++dx) reached |= access.or_zero(front, x + dx, y + dy) != 0;
+    grown(x, y) = reached;
   }
 };
 
@@ -92,7 +64,7 @@ template <class Executor>
 void remove_end_points(Executor& executor, int passes, ImageView<std::uint8_t> edge, ImageView<std::uint8_t> mark) {
   executor.take_changed();
   for (int pass = 0; pass < passes; ++pass) {
-    executor.for_each_set(edge, EndPointOp{end_point_table, edge, mark});
+    executor.for_each_set(edge, MarkByTableOp{end_point_table, edge, mark});
     executor.for_each_set(edge, DeleteMarkedOp{edge, mark, executor.changed_flag()});
     if (!executor.take_changed()) break;
   }
@@ -118,7 +90,7 @@ void prune(Executor& executor, const PruningParams& params, ImageView<std::uint8
   }
   executor.copy(ImageView<const std::uint8_t>(edge), scratch.original);
   remove_end_points(executor, params.iterations, edge, scratch.mark);
-  executor.for_each_set(edge, EndPointOp{end_point_table, edge, scratch.mark});
+  executor.for_each_set(edge, MarkByTableOp{end_point_table, edge, scratch.mark});
   executor.fill(scratch.grown, std::uint8_t{0});
   for (int i = 0; i < params.iterations; ++i) {
     executor.for_each_set(scratch.original, ConditionalDilationOp{scratch.mark, scratch.grown});

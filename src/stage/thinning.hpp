@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "core/atomic.hpp"
 #include "core/image_view.hpp"
 #include "core/neighbour_table.hpp"
+#include "stage/mask_by_table.hpp"
 
 namespace facet {
 
@@ -24,42 +24,14 @@ inline constexpr NeighbourTable thinning_tables[2]{
     make_neighbour_table([](unsigned code) { return guo_hall_deletes(code, 0); }),
     make_neighbour_table([](unsigned code) { return guo_hall_deletes(code, 1); })};
 
-/// Marks the pixels that one sub-iteration deletes.
-struct ThinningMarkOp {
-  static constexpr int radius = 0;
-  NeighbourTable table;
-  ImageView<const std::uint8_t> edge;
-  ImageView<std::uint8_t> mark;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
-    mark(x, y) = table[neighbour_code(edge, x, y)];
-  }
-};
-
-/// Deletes the marked pixels.
-struct ThinningDeleteOp {
-  static constexpr int radius = 0;
-  ImageView<const std::uint8_t> mark;
-  ImageView<std::uint8_t> edge;
-  int* changed;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
-    if (!mark(x, y)) return;
-    edge(x, y) = 0;
-    raise_flag(changed);
-  }
-};
-
 /// Thins the 0/1 mask `edge` in place to lines of one pixel (I1 of paper eq. 10, first step). `mark` is scratch.
 template <class Executor>
 void thin(Executor& executor, ImageView<std::uint8_t> edge, ImageView<std::uint8_t> mark) {
   executor.take_changed();
   do {
     for (const NeighbourTable& table : thinning_tables) {
-      executor.for_each_set(edge, ThinningMarkOp{table, edge, mark});
-      executor.for_each_set(edge, ThinningDeleteOp{mark, edge, executor.changed_flag()});
+      executor.for_each_set(edge, MarkByTableOp{table, edge, mark});
+      executor.for_each_set(edge, DeleteMarkedOp{edge, mark, executor.changed_flag()});
     }
   } while (executor.take_changed());
 }

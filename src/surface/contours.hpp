@@ -1,5 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "core/image_view.hpp"
+#include "surface/surface.hpp"
+
 namespace facet {
 
 enum class ContourMode {
@@ -10,5 +16,23 @@ enum class ContourMode {
 struct ContourParams {
   ContourMode mode = ContourMode::regions;
 };
+
+/// Outlines of the labels 1 ... surfaces.size() of `labels` (0 = none; each label 4-connected), into
+/// surfaces[label - 1]: contour, parent and children. Suzuki and Abe 1985 by way of cv::findContours, one label at a
+/// time, so touching surfaces each have an outline of their own. `boxes[label - 1]` bounds the label's pixels.
+struct PixelBox {
+  int x0 = 0, y0 = 0, x1 = -1, y1 = -1;  ///< inclusive
+
+  void add(int x, int y);
+  bool empty() const { return x1 < x0; }
+};
+void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<PixelBox>& boxes,
+                   std::vector<Surface>& surfaces);
+
+/// The paper's contour separation (section 4.2.3): findContours on the edge map, hierarchy kept. A surface is a hole
+/// of the edge network; its outline runs on the edge pixels that it shares with its neighbours. Surfaces that no
+/// closed contour bounds (open towards the image border) keep an empty contour.
+void trace_edge_map(ImageView<const std::uint8_t> edge, ImageView<const std::uint16_t> labels,
+                    std::vector<Surface>& surfaces);
 
 }  // namespace facet

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/edge_code.hpp"
 #include "core/vec.hpp"
 
 namespace facet {
@@ -38,10 +39,6 @@ struct SurfacePose {
   std::array<float, 3> zyx_deg{};                    ///< the same rotation, intrinsic z-y'-x'' angles
   Vec3 rect_axis;                                    ///< long axis of the contour's minimum-area rectangle, unit
 };
-
-/// Codes of an edge image (scoring format): 0 none, 1 depth, 2 convex, 3 concave, +16 where a finger could grasp.
-enum class EdgeKind : unsigned char { none = 0, depth = 1, convex = 2, concave = 3 };
-inline constexpr unsigned char graspable_edge_bit = 16;
 
 /// One segmented surface. `id` is its value in the label image.
 struct Surface {

@@ -1,0 +1,199 @@
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "pipeline/buffers.hpp"
+#include "pipeline/params.hpp"
+#include "pipeline/result.hpp"
+#include "stage/edge_distance.hpp"
+#include "stage/hysteresis.hpp"
+#include "stage/labelling.hpp"
+#include "stage/non_max_suppression.hpp"
+#include "stage/normals.hpp"
+#include "stage/ownership.hpp"
+#include "stage/thinning.hpp"
+#include "surface/regions.hpp"
+#include "surface/surface_list.hpp"
+
+namespace facet {
+
+/// The whole pipeline, top to bottom, for any back end: the executor supplies images and loops, everything else is
+/// shared. Stages follow section 4.2 of the paper; which variant of each runs is a matter of parameters alone.
+template <class Executor>
+class PipelineBody {
+ public:
+  PipelineBody(Executor& executor, const PipelineParams& params, std::uint64_t seed)
+      : executor_(executor), params_(params), noise_(noise_of(params.sensor)), seed_(seed) {}
+
+  void process(const FrameInput& frame, FrameResult& result) {
+    camera_ = frame.camera;
+    b_.resize(frame.depth_m.size());
+    restart(result, frame.depth_m.size());
+    executor_.timed(result.times.total_ms, [&] {
+      executor_.upload(frame.depth_m, b_.input.view());
+      timed(result, StageId::temporal, [&] { average_frames(); });
+      timed(result, StageId::fill, [&] { fill_holes(); });
+      timed(result, StageId::wiener, [&] { filter_noise(); });
+      timed(result, StageId::gradient, [&] { differentiate(); });
+      timed(result, StageId::depth_strength, [&] { rate_depth_edges(); });
+      timed(result, StageId::depth_canny, [&] { trace_depth_edges(); });
+      timed(result, StageId::crease_strength, [&] { rate_creases(); });
+      timed(result, StageId::crease_canny, [&] { trace_creases(); });
+      timed(result, StageId::morphology, [&] { smooth_edges(); });
+      timed(result, StageId::labelling, [&] { label_regions(result); });
+      timed(result, StageId::contours, [&] { trace_contours(result); });
+      timed(result, StageId::validation, [&] { validate_surfaces(result); });
+      timed(result, StageId::pose, [&] { estimate_poses(result); });
+    });
+  }
+
+  void reset_history() { history_.clear(); }
+
+ private:
+  template <class Work>
+  void timed(FrameResult& result, StageId id, const Work& work) {
+    executor_.timed(result.times.stage_ms[static_cast<std::size_t>(index_of(id))], work);
+  }
+
+  void restart(FrameResult& result, Size size) {
+    result.labels.resize(size);
+    result.edges.resize(size);
+    result.surfaces.clear();
+    result.rejected.clear();
+    result.note.clear();
+    result.times = {};
+  }
+
+  void average_frames() {  // section 3.4.2, eq. 3
+    if (!params_.temporal.enabled) return std::swap(b_.input, b_.averaged);
+    history_.push(executor_, b_.input.view(), params_.temporal.frames);
+    temporal_average(executor_, params_.temporal, noise_, history_, b_.averaged.view());
+  }
+
+  void fill_holes() {  // section 3.4.3, Algorithm 1
+    const FillScratch scratch{b_.mask_a.view(), b_.mask_b.view(), b_.scratch_a.view()};
+    if (params_.fill.enabled)
+      fill_missing(executor_, params_.fill, b_.averaged.view(), b_.filled.view(), scratch);
+    else
+      executor_.fill(b_.filled.view(), std::uint8_t{0});
+  }
+
+  void filter_noise() {  // section 3.4.1, eq. 2
+    if (!params_.wiener.enabled) return std::swap(b_.averaged, b_.depth);
+    wiener(executor_, params_.wiener, noise_, b_.averaged.view(), b_.scratch_a.view(), b_.scratch_b.view(),
+           b_.depth.view());
+  }
+
+  void differentiate() {  // eq. 5
+    gradient(executor_, params_.gradient, b_.depth.view(), b_.gx.view(), b_.gy.view());
+  }
+
+  void rate_depth_edges() {  // section 3.1
+    if (params_.dd.mode == DepthEdgeMode::canny)
+      depth_gradient_strength(executor_, b_.depth.view(), b_.gx.view(), b_.gy.view(), b_.strength.view(),
+                              b_.direction.view());
+    else
+      depth_jumps(executor_, params_.dd, noise_, b_.depth.view(), b_.depth_edge.view());
+  }
+
+  void trace_depth_edges() {  // section 4.2.1
+    if (params_.dd.mode != DepthEdgeMode::canny) return;
+    run_canny(params_.dd.low_per_px, params_.dd.high_per_px, b_.depth_edge);
+    if (!params_.dd.relocate) return;
+    relocate_to_occluding_side(executor_, b_.depth.view(), b_.direction.view(), b_.depth_edge.view(),
+                               b_.mask_a.view());
+    std::swap(b_.depth_edge, b_.mask_a);
+  }
+
+  void rate_creases() {  // section 3.2 and eq. 6
+    const CreaseScratch scratch{b_.scratch_a.view(), b_.scratch_b.view(), b_.scratch_c.view()};
+    switch (params_.cd.mode) {
+      case CreaseMode::normals: return rate_creases_by_normals();
+      case CreaseMode::paper:
+        return direction_change(executor_, params_.cd, gradient_noise_factor(params_.gradient.op), noise_,
+                                b_.depth.view(), b_.gx.view(), b_.gy.view(), scratch, b_.strength.view(),
+                                b_.direction.view());
+      case CreaseMode::gaussian:
+        return curvature_gradient(executor_, camera_, b_.depth.view(), b_.gx.view(), b_.gy.view(), scratch,
+                                  b_.strength.view(), b_.direction.view());
+    }
+  }
+
+  void rate_creases_by_normals() {
+    inverse_depth(executor_, b_.depth.view(), b_.inverse_depth.view());
+    edge_distance(executor_, b_.depth.view(), b_.depth_edge.view(), params_.cd.radius_px + 1, b_.distance.view(),
+                  b_.mask_a.view());
+    fit_normals(executor_, params_.cd.radius_px, camera_, b_.inverse_depth.view(), b_.distance.view(),
+                b_.normal.view());
+    normal_change(executor_, params_.cd, b_.normal.view(), b_.distance.view(), b_.strength.view(),
+                  b_.direction.view());
+  }
+
+  void trace_creases() {  // section 4.2.1
+    const bool chord = params_.cd.mode == CreaseMode::normals;
+    const auto threshold = [chord](float deg) { return chord ? 2 * std::sin(deg / 2 / degrees_per_radian) : deg; };
+    run_canny(threshold(params_.cd.low_deg), threshold(params_.cd.high_deg), b_.crease_edge);
+  }
+
+  void run_canny(float low, float high, typename Executor::template Image<std::uint8_t>& edge) {
+    non_max_suppression(executor_, b_.strength.view(), b_.direction.view(), low, high, b_.ridge.view());
+    hysteresis(executor_, b_.ridge.view(), edge.view());
+  }
+
+  void smooth_edges() {  // sections 3.3 and 4.2.2, eqs 7-10
+    unite(executor_, b_.depth_edge.view(), b_.crease_edge.view(), b_.edge.view());
+    morphology(executor_, params_.morphology, b_.edge.view(), b_.mask_a.view(), b_.mask_b.view());
+    if (params_.morphology.mode != MorphologyMode::none) thin(executor_, b_.edge.view(), b_.mask_a.view());
+    prune(executor_, params_.pruning, b_.edge.view(), {b_.mask_a.view(), b_.mask_b.view(), b_.mask_c.view()});
+    edge_kind(executor_, params_.edge_kind, camera_, b_.depth.view(), b_.gx.view(), b_.gy.view(),
+              b_.depth_edge.view(), b_.edge.view(), b_.code.view());
+  }
+
+  void label_regions(FrameResult& result) {  // section 3.3: closed whatever the edges do
+    label_components(executor_, b_.depth.view(), b_.edge.view(), b_.root.view());
+    const int count = numbering_.number(executor_.on_host(b_.root), executor_.on_host(b_.depth), camera_,
+                                        params_.validation, result.labels.view(), result.rejected);
+    executor_.upload(std::as_const(result.labels).view(), b_.label.view());
+    give_back_pixels(executor_, params_.dd.jump_ratio, params_.dd.noise_sigmas, noise_, b_.depth.view(),
+                     b_.label.view(), b_.mask_a.view(), b_.owner.view());
+    result.surfaces.resize(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) result.surfaces[static_cast<std::size_t>(i)].id = i + 1;
+  }
+
+  void trace_contours(FrameResult& result) {  // section 4.2.3
+    executor_.download(b_.label.view(), result.labels.view());
+    executor_.download(b_.code.view(), result.edges.view());
+    pixels_.collect(result.labels.view(), static_cast<int>(result.surfaces.size()), executor_.on_host(b_.depth),
+                    executor_.on_host(b_.filled), camera_, params_.pose.max_points);
+    if (params_.contours.mode == ContourMode::regions)
+      trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
+    else
+      trace_edge_map(executor_.on_host(b_.edge), result.labels.view(), result.surfaces);
+  }
+
+  void validate_surfaces(FrameResult& result) {
+    describe_surfaces(pixels_, result.labels.size(), result.edges.view(), result.surfaces);
+    drop_invalid_surfaces(params_.validation, pixels_, result.labels.view(), result.surfaces, result.rejected);
+    if (result.surfaces.empty()) result.note = why_nothing_was_found(executor_.on_host(b_.averaged), result.rejected);
+  }
+
+  void estimate_poses(FrameResult& result) {  // section 4.2.4
+    if (!params_.pose.enabled) return;
+    const PoseInput input{executor_.on_host(b_.depth), result.labels.view(), camera_, noise_, seed_};
+    for (std::size_t i = 0; i < result.surfaces.size(); ++i)
+      estimate_pose(input, params_.pose, pixels_.points[i], result.surfaces[i]);
+  }
+
+  Executor& executor_;
+  PipelineParams params_;
+  DepthNoise noise_;
+  std::uint64_t seed_;
+  Camera camera_;
+  Buffers<Executor> b_;
+  TemporalHistory<Executor> history_;
+  RegionNumbering numbering_;
+  RegionPixels pixels_;
+};
+
+}  // namespace facet

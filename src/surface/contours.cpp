@@ -1,0 +1,129 @@
+#include "surface/contours.hpp"
+
+#include <algorithm>
+
+#include <opencv2/imgproc.hpp>
+
+namespace facet {
+namespace {
+
+Polyline to_polyline(const std::vector<cv::Point>& points) {
+  Polyline line;
+  line.reserve(points.size());
+  for (const cv::Point& p : points) line.push_back({p.x, p.y});
+  return line;
+}
+
+/// cv::findContours' hierarchy: {next, previous, first child, parent}, -1 = none.
+int parent_of(const cv::Vec4i& node) { return node[3]; }
+
+bool encloses(const Polyline& hole, ContourPoint p) {
+  std::vector<cv::Point> polygon;
+  polygon.reserve(hole.size());
+  for (const ContourPoint& q : hole) polygon.emplace_back(q.x, q.y);
+  return cv::pointPolygonTest(polygon, cv::Point2f(static_cast<float>(p.x), static_cast<float>(p.y)), false) > 0;
+}
+
+PixelBox box_of(const Polyline& line) {
+  PixelBox box;
+  for (const ContourPoint& p : line) box.add(p.x, p.y);
+  return box;
+}
+
+bool contains(const PixelBox& outer, const PixelBox& inner) {
+  return outer.x0 < inner.x0 && outer.y0 < inner.y0 && inner.x1 < outer.x1 && inner.y1 < outer.y1;
+}
+
+/// A surface lies in the smallest hole that encloses it.
+void find_parents(const std::vector<PixelBox>& boxes, std::vector<Surface>& surfaces) {
+  std::vector<long> hole_area(surfaces.size(), 0);
+  for (Surface& around : surfaces)
+    for (const Polyline& hole : around.contour.holes) {
+      const PixelBox hole_box = box_of(hole);
+      const long area = static_cast<long>(hole_box.x1 - hole_box.x0) * (hole_box.y1 - hole_box.y0);
+      for (Surface& inside : surfaces) {
+        const std::size_t i = static_cast<std::size_t>(inside.id) - 1;
+        if (&inside == &around || inside.contour.outer.empty() || !contains(hole_box, boxes[i])) continue;
+        if (inside.parent != 0 && hole_area[i] <= area) continue;
+        if (!encloses(hole, inside.contour.outer.front())) continue;
+        inside.parent = around.id;
+        hole_area[i] = area;
+      }
+    }
+}
+
+void list_children(std::vector<Surface>& surfaces) {
+  for (const Surface& surface : surfaces)
+    if (surface.parent != 0) surfaces[static_cast<std::size_t>(surface.parent) - 1].children.push_back(surface.id);
+}
+
+}  // namespace
+
+void PixelBox::add(int x, int y) {
+  if (empty()) {
+    *this = {x, y, x, y};
+    return;
+  }
+  x0 = std::min(x0, x), x1 = std::max(x1, x);
+  y0 = std::min(y0, y), y1 = std::max(y1, y);
+}
+
+void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<PixelBox>& boxes,
+                   std::vector<Surface>& surfaces) {
+  const cv::Mat map(labels.height, labels.width, CV_16U, const_cast<std::uint16_t*>(labels.data),
+                    static_cast<std::size_t>(labels.stride) * sizeof(std::uint16_t));
+  cv::Mat mask;
+  std::vector<std::vector<cv::Point>> lines;
+  std::vector<cv::Vec4i> hierarchy;
+  for (Surface& surface : surfaces) {
+    const PixelBox& box = boxes[static_cast<std::size_t>(surface.id) - 1];
+    if (box.empty()) continue;
+    cv::compare(map(cv::Rect(box.x0, box.y0, box.x1 - box.x0 + 1, box.y1 - box.y0 + 1)), surface.id, mask, cv::CMP_EQ);
+    cv::findContours(mask, lines, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE, {box.x0, box.y0});
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (parent_of(hierarchy[i]) >= 0)
+        surface.contour.holes.push_back(to_polyline(lines[i]));
+      else if (lines[i].size() > surface.contour.outer.size())
+        surface.contour.outer = to_polyline(lines[i]);
+  }
+  find_parents(boxes, surfaces);
+  list_children(surfaces);
+}
+
+void trace_edge_map(ImageView<const std::uint8_t> edge, ImageView<const std::uint16_t> labels,
+                    std::vector<Surface>& surfaces) {
+  const cv::Mat map(edge.height, edge.width, CV_8U, const_cast<std::uint8_t*>(edge.data),
+                    static_cast<std::size_t>(edge.stride));
+  std::vector<std::vector<cv::Point>> lines;
+  std::vector<cv::Vec4i> hierarchy;
+  cv::findContours(map, lines, hierarchy, cv::RETR_TREE, cv::CHAIN_APPROX_NONE);
+
+  // In the tree outer borders of edge components and borders of their holes take turns. A hole border starts at
+  // the edge pixel left of the hole's first pixel (Suzuki and Abe), so the label one to the right owns it.
+  const auto is_hole = [&](std::size_t i) {
+    int depth = 0;
+    for (int p = parent_of(hierarchy[i]); p >= 0; p = parent_of(hierarchy[static_cast<std::size_t>(p)])) ++depth;
+    return depth % 2 == 1;
+  };
+  std::vector<int> label_of_line(lines.size(), 0);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!is_hole(i)) continue;
+    const cv::Point start = lines[i].front();
+    if (start.x + 1 < labels.width) label_of_line[i] = labels(start.x + 1, start.y);
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const int parent = parent_of(hierarchy[i]);
+    if (const int label = label_of_line[i]; label > 0) {
+      Surface& surface = surfaces[static_cast<std::size_t>(label) - 1];
+      if (lines[i].size() > surface.contour.outer.size()) surface.contour.outer = to_polyline(lines[i]);
+      const int grandparent = parent >= 0 ? parent_of(hierarchy[static_cast<std::size_t>(parent)]) : -1;
+      if (grandparent >= 0) surface.parent = label_of_line[static_cast<std::size_t>(grandparent)];
+    } else if (parent >= 0 && label_of_line[static_cast<std::size_t>(parent)] > 0) {
+      const int around = label_of_line[static_cast<std::size_t>(parent)];
+      surfaces[static_cast<std::size_t>(around) - 1].contour.holes.push_back(to_polyline(lines[i]));
+    }
+  }
+  list_children(surfaces);
+}
+
+}  // namespace facet

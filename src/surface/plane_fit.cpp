@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "core/random.hpp"
+#include "surface/pose.hpp"
+
+namespace facet {
+namespace {
+
+constexpr float min_triangle_area_m2 = 1e-5f;  ///< thinner triples give no direction
+constexpr float confidence = 0.99f;            ///< that no better hypothesis was left out
+
+std::optional<Plane> plane_through(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 n = cross(b - a, c - a);
+  const float twice_area = norm(n);
+  if (twice_area < 2 * min_triangle_area_m2) return std::nullopt;
+  const Vec3 unit = (1 / twice_area) * n;
+  return Plane{unit, -dot(unit, a)};
+}
+
+int count_inliers(const PointSample& points, const Plane& plane, float threshold_m) {
+  const std::size_t n = points.size();
+  const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
+  const float nx = plane.normal.x, ny = plane.normal.y, nz = plane.normal.z, d = plane.d_m;
+  int count = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const float distance = nx * x[i] + ny * y[i] + nz * z[i] + d;
+    count += std::fabs(distance) < threshold_m ? 1 : 0;
+  }
+  return count;
+}
+
+/// Hypotheses needed to have drawn three inliers once with the given confidence.
+int hypotheses_needed(double inlier_share, int most) {
+  const double all_inliers = inlier_share * inlier_share * inlier_share;
+  if (all_inliers > 0.999999) return 1;
+  if (all_inliers < 1e-6) return most;
+  return std::clamp(static_cast<int>(std::ceil(std::log(1 - confidence) / std::log(1 - all_inliers))), 1, most);
+}
+
+std::optional<Plane> best_hypothesis(const PointSample& points, const PoseParams& params, float threshold_m,
+                                     std::uint64_t seed, std::uint64_t stream) {
+  const auto n = static_cast<std::uint32_t>(points.size());
+  std::optional<Plane> best;
+  int best_count = 0;
+  int needed = params.iterations;
+  for (int k = 0; k < needed; ++k) {
+    const auto draw = [&](std::uint64_t i) {
+      return points.at(random_below(n, seed, stream, 3 * static_cast<std::uint64_t>(k) + i));
+    };
+    const std::optional<Plane> plane = plane_through(draw(0), draw(1), draw(2));
+    if (!plane) continue;
+    const int count = count_inliers(points, *plane, threshold_m);
+    if (count <= best_count) continue;
+    best = plane;
+    best_count = count;
+    needed = std::min(needed, k + 1 + hypotheses_needed(static_cast<double>(count) / n, params.iterations));
+  }
+  return best;
+}
+
+/// Least-squares plane through the points within the threshold of `plane` (smallest principal axis).
+PlaneFit refine(const PointSample& points, const Plane& plane, float threshold_m) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  int count = 0;
+  const Eigen::Vector3d origin(points.x[0], points.y[0], points.z[0]);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::fabs(plane.signed_distance_m(points.at(i))) >= threshold_m) continue;
+    const Eigen::Vector3d p = Eigen::Vector3d(points.x[i], points.y[i], points.z[i]) - origin;
+    sum += p;
+    squares += p * p.transpose();
+    ++count;
+  }
+  if (count < 3) return {};
+  const Eigen::Vector3d mean = sum / count;
+  const Eigen::Matrix3d covariance = squares / count - mean * mean.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+  const Eigen::Vector3d centre = mean + origin;
+  Eigen::Vector3d normal = axes.eigenvectors().col(0);
+  if (normal.dot(centre) > 0) normal = -normal;  // towards the camera
+
+  PlaneFit fit;
+  fit.plane = Plane{{static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())},
+                    static_cast<float>(-normal.dot(centre))};
+  fit.inlier_share = static_cast<float>(count) / static_cast<float>(points.size());
+  fit.rms_m = static_cast<float>(std::sqrt(std::max(0.0, axes.eigenvalues()(0))));
+  fit.centroid_m = {static_cast<float>(centre.x()), static_cast<float>(centre.y()), static_cast<float>(centre.z())};
+  return fit;
+}
+
+}  // namespace
+
+PlaneFit fit_plane(const PointSample& points, const PoseParams& params, float threshold_m, std::uint64_t seed,
+                   std::uint64_t stream) {
+  PlaneFit fit;
+  fit.reason = "fewer than 3 measured points";
+  if (points.size() < 3) return fit;
+  const std::optional<Plane> hypothesis = best_hypothesis(points, params, threshold_m, seed, stream);
+  fit.reason = "no three points span a plane";
+  if (!hypothesis) return fit;
+  PlaneFit refined = refine(points, *hypothesis, threshold_m);
+  if (!refined.plane) return fit;
+  // A second round takes in the points that only the refined plane explains.
+  PlaneFit settled = refine(points, *refined.plane, threshold_m);
+  return settled.plane ? settled : refined;
+}
+
+}  // namespace facet

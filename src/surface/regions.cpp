@@ -1,0 +1,81 @@
+#include "surface/regions.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace facet {
+
+void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m) {
+  components_.clear();
+  component_at_.assign(static_cast<std::size_t>(root.size().area()), -1);
+  for (int y = 0; y < root.height; ++y)
+    for (int x = 0; x < root.width; ++x) {
+      const std::int32_t first = root(x, y);
+      if (first < 0) continue;
+      std::int32_t& index = component_at_[static_cast<std::size_t>(first)];
+      if (index < 0) {
+        index = static_cast<std::int32_t>(components_.size());
+        components_.push_back({first, 0, 0});
+      }
+      Component& component = components_[static_cast<std::size_t>(index)];
+      ++component.area_px;
+      component.depth_sum_m += depth_m(x, y);
+    }
+}
+
+int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const float> depth_m, const Camera& camera,
+                            const ValidationParams& validation, ImageView<std::uint16_t> labels,
+                            std::vector<RejectedRegion>& rejected) {
+  collect(root, depth_m);
+  constexpr int most = std::numeric_limits<std::uint16_t>::max();
+  int count = 0;
+  label_.assign(components_.size(), 0);
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    const Component& c = components_[i];
+    const auto mean_depth_m = static_cast<float>(c.depth_sum_m / c.area_px);
+    const bool large = static_cast<float>(c.area_px) >= least_area_px(validation, camera, mean_depth_m);
+    if (large && count < most)
+      label_[i] = static_cast<std::uint16_t>(++count);
+    else
+      rejected.push_back({{c.first % root.width, c.first / root.width},
+                          c.area_px,
+                          std::string(large ? reject_reason::too_many : reject_reason::too_small)});
+  }
+  for (int y = 0; y < root.height; ++y)
+    for (int x = 0; x < root.width; ++x) {
+      const std::int32_t first = root(x, y);
+      labels(x, y) = first < 0 ? std::uint16_t{0}
+                               : label_[static_cast<std::size_t>(component_at_[static_cast<std::size_t>(first)])];
+    }
+  return count;
+}
+
+void RegionPixels::collect(ImageView<const std::uint16_t> labels, int label_count, ImageView<const float> depth_m,
+                           ImageView<const std::uint8_t> filled, const Camera& camera, int max_points) {
+  const auto n = static_cast<std::size_t>(label_count);
+  boxes.assign(n, {});
+  area_px.assign(n, 0);
+  measured_px.assign(n, 0);
+  if (points.size() < n) points.resize(n);
+  for (PointSample& sample : points) sample.clear();
+  for (int y = 0; y < labels.height; ++y)
+    for (int x = 0; x < labels.width; ++x) {
+      if (labels(x, y) == 0) continue;
+      const std::size_t i = labels(x, y) - std::size_t{1};
+      boxes[i].add(x, y);
+      ++area_px[i];
+      measured_px[i] += !filled(x, y);
+    }
+  // Every stride-th measured pixel in raster order; an odd stride does not fall into step with the columns.
+  seen_.assign(n, 0);
+  for (int y = 0; y < labels.height; ++y)
+    for (int x = 0; x < labels.width; ++x) {
+      if (labels(x, y) == 0 || filled(x, y)) continue;
+      const std::size_t i = labels(x, y) - std::size_t{1};
+      const int stride = (measured_px[i] + max_points - 1) / max_points | 1;
+      if (seen_[i]++ % stride != 0) continue;
+      points[i].add(camera.back_project(static_cast<float>(x), static_cast<float>(y), depth_m(x, y)));
+    }
+}
+
+}  // namespace facet

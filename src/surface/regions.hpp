@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "core/image.hpp"
+#include "surface/contours.hpp"
+#include "surface/pose.hpp"
+#include "surface/validation.hpp"
+
+namespace facet {
+
+/// Numbers the components that are large enough to be surfaces, in raster order of their first pixels; drops the
+/// others with a reason. Keeps its memory between frames.
+class RegionNumbering {
+ public:
+  /// root: raster index of each pixel's component, -1 = none. Writes labels (0 = none); appends to `rejected`.
+  /// Returns the number of labels.
+  int number(ImageView<const std::int32_t> root, ImageView<const float> depth_m, const Camera& camera,
+             const ValidationParams& validation, ImageView<std::uint16_t> labels,
+             std::vector<RejectedRegion>& rejected);
+
+ private:
+  struct Component {
+    int first = 0;  ///< raster index
+    int area_px = 0;
+    double depth_sum_m = 0;
+  };
+  void collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m);
+
+  std::vector<Component> components_;
+  std::vector<std::int32_t> component_at_;   ///< by raster index of the first pixel
+  std::vector<std::uint16_t> label_;
+};
+
+/// What validation and pose need to know of the pixels of each label; filled in one pass over the label image.
+class RegionPixels {
+ public:
+  std::vector<PixelBox> boxes;
+  std::vector<int> area_px;
+  std::vector<int> measured_px;  ///< pixels whose depth was not made up by filling
+  std::vector<PointSample> points;
+
+  /// `filled`: 1 where depth was made up. Every region is sampled evenly, at most about max_points each.
+  void collect(ImageView<const std::uint16_t> labels, int label_count, ImageView<const float> depth_m,
+               ImageView<const std::uint8_t> filled, const Camera& camera, int max_points);
+
+ private:
+  std::vector<int> seen_;
+};
+
+}  // namespace facet
