@@ -3,10 +3,8 @@
 #include <array>
 
 #include "core/error.hpp"
-#include "dataset/depth_image.hpp"
 #include "dataset/folder_layout.hpp"
-#include "dataset/frame_checks.hpp"
-#include "dataset/frame_list.hpp"
+#include "dataset/frame_loader.hpp"
 #include "file/file_bytes.hpp"
 
 namespace facet {
@@ -23,22 +21,10 @@ class FolderDataset : public ListedDataset {
   bool is_sequence() const override { return layout_.sequence; }
 
   Frame load(std::size_t index) const override {
-    Frame frame;
-    frame.id = frame_id(index);
-    const auto depth_path = layout_.depth.path(root_, frame.id);
-    DepthImage depth = read_depth_image(depth_path, layout_.depth_unit_m, layout_.missing_codes);
-    check_camera(layout_.camera, depth.depth_m.size(), depth_path);
-    check_depth_unit(depth.depth_m, depth_path);
-    frame.camera = layout_.camera;
-    frame.missing_px = depth.missing_px;
-    frame.depth_m = std::move(depth.depth_m);
-    frame.files = {depth_path};
-    if (layout_.color && layout_.registered) {
-      const auto color_path = layout_.color->path(root_, frame.id);
-      frame.color = read_registered_color(color_path, frame.depth_m.size());
-      frame.files.push_back(color_path);
-    }
-    return frame;
+    const std::string id = frame_id(index);
+    FrameFiles files{layout_.depth.path(root_, id)};
+    if (layout_.color && layout_.registered) files.color = layout_.color->path(root_, id);
+    return load_frame(id, files, layout_.format, layout_.camera);
   }
 
  private:

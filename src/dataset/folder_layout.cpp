@@ -76,8 +76,8 @@ ReaderOptions read_dataset_yaml(const std::filesystem::path& root) {
 FolderLayout folder_layout(const ReaderOptions& options, const std::filesystem::path& root) {
   FolderLayout layout{.depth = FramePattern(required_text(options, "depth", root))};
   required_text(options, "depth_unit_m", root);
-  layout.depth_unit_m = *number_option(options, "depth_unit_m");
-  if (layout.depth_unit_m <= 0)
+  layout.format.unit_m = *number_option(options, "depth_unit_m");
+  if (layout.format.unit_m <= 0)
     throw Error(ErrorKind::config,
                 printable(root) + ": option depth_unit_m: expected a positive number of metres");
   const auto camera = intrinsics_option(options, root);
@@ -85,7 +85,7 @@ FolderLayout folder_layout(const ReaderOptions& options, const std::filesystem::
     throw Error(ErrorKind::config, printable(root) + ": option intrinsics or intrinsics_file is required");
   layout.camera = *camera;
   if (const auto pattern = text_option(options, "color")) layout.color.emplace(*pattern);
-  layout.missing_codes = numbers_option(options, "missing_codes").value_or(layout.missing_codes);
+  layout.format.missing_codes = numbers_option(options, "missing_codes").value_or(std::vector<double>{});
   layout.registered = flag_option(options, "registered").value_or(layout.registered);
   layout.sequence = flag_option(options, "sequence").value_or(layout.sequence);
   if (const auto sensor = text_option(options, "sensor")) layout.sensor = parse_sensor(*sensor);

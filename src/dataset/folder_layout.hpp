@@ -2,11 +2,11 @@
 
 #include <filesystem>
 #include <optional>
-#include <vector>
 
 #include "core/camera.hpp"
 #include "core/sensor.hpp"
 #include "dataset/frame_list.hpp"
+#include "dataset/frame_loader.hpp"
 #include "dataset/reader_options.hpp"
 
 namespace facet {
@@ -15,8 +15,7 @@ namespace facet {
 struct FolderLayout {
   FramePattern depth;
   std::optional<FramePattern> color = std::nullopt;
-  double depth_unit_m = 0;            ///< metres per unit of the depth images
-  std::vector<double> missing_codes{};  ///< raw values that mean missing depth, beside 0, NaN and infinities
+  DepthFormat format{};
   Camera camera{};
   bool registered = false;  ///< colour was taken through, or mapped to, the depth camera
   bool sequence = false;    ///< frames are consecutive in time

@@ -26,8 +26,9 @@ void require(bool condition, const std::filesystem::path& path, const Parts&... 
 }
 
 void check_size(const cv::Mat& image, Size size, const std::filesystem::path& path) {
-  require(image.cols == size.width && image.rows == size.height, path, "is ", image.cols, "x", image.rows,
-          " but the depth image is ", size.width, "x", size.height);
+  const bool same = image.cols == size.width && image.rows == size.height;
+  require(same || size.empty(), path, "is ", image.cols, "x", image.rows, " but the depth image is ",
+          size.width, "x", size.height);
 }
 
 }  // namespace

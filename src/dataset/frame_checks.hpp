@@ -16,7 +16,8 @@ void check_camera(const Camera& camera, Size size, const std::filesystem::path& 
 /// image without any measured depth passes.
 void check_depth_unit(const Image<float>& depth_m, const std::filesystem::path& path);
 
-/// Reads a colour image as 8-bit BGR; throws Error{data} where it is broken or of another size than `size`.
+/// Reads a colour image as 8-bit BGR; throws Error{data} where it is broken or of another size than `size`
+/// (an empty `size` is not compared).
 cv::Mat read_registered_color(const std::filesystem::path& path, Size size);
 
 /// Reads object masks as CV_16U, 0 = none; throws Error{data} as above, or where they are not grey integers.

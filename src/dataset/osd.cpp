@@ -4,9 +4,8 @@
 #include <array>
 
 #include "core/error.hpp"
-#include "dataset/depth_image.hpp"
-#include "dataset/frame_checks.hpp"
 #include "dataset/frame_list.hpp"
+#include "dataset/frame_loader.hpp"
 #include "dataset/intrinsics.hpp"
 #include "file/file_bytes.hpp"
 
@@ -14,7 +13,6 @@ namespace facet {
 namespace {
 
 constexpr Camera assumed_camera{525.0f, 525.0f, 319.5f, 239.5f};
-constexpr double depth_unit_m = 0.001;
 
 const FramePattern& depth_pattern() {
   static const FramePattern pattern("disparity/{id}.png");
@@ -39,30 +37,14 @@ class OsdDataset : public ListedDataset {
   }
 
   Frame load(std::size_t index) const override {
-    Frame frame;
-    frame.id = frame_id(index);
-    const auto depth_path = depth_pattern().path(root_, frame.id);
-    DepthImage depth = read_depth_image(depth_path, depth_unit_m, {});
-    check_camera(camera_, depth.depth_m.size(), depth_path);
-    check_depth_unit(depth.depth_m, depth_path);
-    frame.camera = camera_;
-    frame.missing_px = depth.missing_px;
-    frame.depth_m = std::move(depth.depth_m);
-    const auto color_path = color_pattern().path(root_, frame.id);
-    frame.color = read_registered_color(color_path, frame.depth_m.size());
-    frame.files = {depth_path, color_path};
-    load_masks(frame);
-    return frame;
+    const std::string id = frame_id(index);
+    FrameFiles files{depth_pattern().path(root_, id), color_pattern().path(root_, id)};
+    if (const auto masks = mask_pattern().path(root_, id); std::filesystem::exists(masks))
+      files.object_masks = masks;
+    return load_frame(id, files, DepthFormat{.unit_m = 0.001}, camera_);
   }
 
  private:
-  void load_masks(Frame& frame) const {
-    const auto path = mask_pattern().path(root_, frame.id);
-    if (!std::filesystem::exists(path)) return;
-    frame.object_masks = read_object_masks(path, frame.depth_m.size());
-    frame.files.push_back(path);
-  }
-
   std::filesystem::path root_;
   Camera camera_;
 };

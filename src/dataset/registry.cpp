@@ -5,15 +5,19 @@
 #include "core/error.hpp"
 #include "dataset/folder.hpp"
 #include "dataset/osd.hpp"
+#include "dataset/osd_inventory.hpp"
+#include "dataset/synthetic.hpp"
 
 namespace facet {
 
 std::span<const ReaderInfo> readers() {
-  static const std::array<ReaderInfo, 2> table{{
+  static const std::array<ReaderInfo, 3> table{{
       {"osd", "Object Segmentation Database 0.2 (TU Wien): Kinect v1, table-top clutter", osd_options(), true,
-       open_osd, nullptr},
+       open_osd, inspect_osd},
       {"folder", "depth images (and colour) in one folder, described by dataset.yaml or by options",
        folder_options(), true, open_folder, nullptr},
+      {"synthetic", "built-in scenes of boxes and cylinders on a table, with the noise of a Kinect v1",
+       synthetic_options(), false, open_synthetic, nullptr},
   }};
   return table;
 }

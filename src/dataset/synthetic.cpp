@@ -1,0 +1,91 @@
+#include "dataset/synthetic.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "dataset/frame_list.hpp"
+#include "synth/synthetic_frame.hpp"
+
+namespace facet {
+namespace {
+
+cv::Mat to_bgr(const Image<Rgb>& colour) {
+  cv::Mat bgr(colour.height(), colour.width(), CV_8UC3);
+  for (int y = 0; y < colour.height(); ++y)
+    for (int x = 0; x < colour.width(); ++x)
+      bgr.at<cv::Vec3b>(y, x) = {colour(x, y).b, colour(x, y).g, colour(x, y).r};
+  return bgr;
+}
+
+cv::Mat to_mat(const Image<std::uint16_t>& ids) {
+  cv::Mat mat(ids.height(), ids.width(), CV_16U);
+  for (int y = 0; y < ids.height(); ++y) std::copy_n(ids.row(y), ids.width(), mat.ptr<std::uint16_t>(y));
+  return mat;
+}
+
+std::size_t count_missing(const Image<float>& depth_m) {
+  std::size_t missing = 0;
+  for (int y = 0; y < depth_m.height(); ++y)
+    missing += static_cast<std::size_t>(std::count(depth_m.row(y), depth_m.row(y) + depth_m.width(), 0.0f));
+  return missing;
+}
+
+class SyntheticDataset : public ListedDataset {
+ public:
+  SyntheticDataset(const DatasetSpec& spec, Sensor sensor, std::vector<std::string> ids,
+                   const SyntheticSpec& scenes)
+      : ListedDataset(spec, sensor, std::move(ids)), scenes_(scenes), all_ids_(frame_ids(scenes)) {}
+
+  std::string description() const override {
+    return "built-in scenes '" + scenes_.scenes + "', seed " + std::to_string(scenes_.seed) +
+           (scenes_.noise_free ? ", exact depth" : ", Kinect v1 noise");
+  }
+
+  Frame load(std::size_t index) const override {
+    const auto place = std::find(all_ids_.begin(), all_ids_.end(), frame_id(index)) - all_ids_.begin();
+    SyntheticFrame made = make_frame(scenes_, static_cast<std::size_t>(place));
+    Frame frame;
+    frame.id = frame_id(index);
+    frame.color = to_bgr(made.exact.colour);
+    frame.camera = made.camera;
+    frame.object_masks = to_mat(made.exact.object_ids);
+    frame.missing_px = count_missing(made.depth_m);
+    frame.depth_m = std::move(made.depth_m);
+    return frame;
+  }
+
+ private:
+  SyntheticSpec scenes_;
+  std::vector<std::string> all_ids_;
+};
+
+std::uint64_t seed_option(const ReaderOptions& options) {
+  constexpr double largest = 9007199254740992.0;  // 2^53: every integer up to here is a double
+  const double seed = number_option(options, "seed").value_or(1);
+  if (seed < 0 || seed > largest || seed != std::floor(seed))
+    throw Error(ErrorKind::config, "option seed: expected a whole number from 0 to 2^53");
+  return static_cast<std::uint64_t>(seed);
+}
+
+}  // namespace
+
+std::span<const OptionInfo> synthetic_options() {
+  static constexpr std::array<OptionInfo, 3> options{{
+      {"scenes", OptionType::text, "which built-in scenes; quickstart without it"},
+      {"seed", OptionType::number, "of the layout and of the sensor noise; 1 without it"},
+      {"noise", OptionType::flag, "measured by a simulated Kinect v1, or exact depth; true without it"},
+  }};
+  return options;
+}
+
+std::unique_ptr<Dataset> open_synthetic(const DatasetSpec& spec) {
+  SyntheticSpec scenes;
+  scenes.scenes = text_option(spec.options, "scenes").value_or(scenes.scenes);
+  scenes.seed = seed_option(spec.options);
+  scenes.noise_free = !flag_option(spec.options, "noise").value_or(true);
+  const Sensor sensor = spec.sensor == Sensor::automatic ? Sensor::kinect_v1 : spec.sensor;
+  return std::make_unique<SyntheticDataset>(spec, sensor, select_frames(spec, frame_ids(scenes)), scenes);
+}
+
+}  // namespace facet

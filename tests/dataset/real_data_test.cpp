@@ -1,0 +1,84 @@
+// Reads real recordings below FACET_DATA; skipped where they are absent.
+#include "support/real_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dataset/verify.hpp"
+
+namespace facet {
+namespace {
+
+DatasetSpec spec_of(const std::string& reader, const std::string& folder, const ReaderOptions& options = {}) {
+  DatasetSpec spec;
+  spec.name = folder;
+  spec.reader = reader;
+  spec.root = real_data_root() / folder;
+  spec.options = options;
+  return spec;
+}
+
+TEST(RealData, osd_frames_are_the_ones_we_know) {
+  FACET_REQUIRE_DATA("osd");
+  const DatasetReport report = verify_dataset(spec_of("osd", "osd"));
+  EXPECT_TRUE(report.problems.empty()) << report.problems[0].message;
+  EXPECT_EQ(report.readable, report.frames);
+  EXPECT_EQ(report.with_color, report.frames);
+  EXPECT_GE(report.checksums_compared, 9u);
+  EXPECT_GT(report.missing_share, 0.1);
+  EXPECT_LT(report.missing_share, 0.4);
+}
+
+TEST(RealData, a_sequence_of_7_scenes_reads_with_its_code_for_missing_depth) {
+  FACET_REQUIRE_DATA("seven_scenes");
+  const auto spec = spec_of("folder", "seven_scenes",
+                            {{"depth", "frame-{id}.depth.png"},
+                             {"depth_unit_m", "0.001"},
+                             {"intrinsics", "585,585,320,240"},
+                             {"missing_codes", "65535"},
+                             {"sequence", "true"}});
+  const DatasetReport report = verify_dataset(spec);
+  EXPECT_TRUE(report.is_whole()) << report.problems[0].message;
+  EXPECT_EQ(report.frames, 40u);
+  EXPECT_LT(report.farthest_m, 20);
+}
+
+TEST(RealData, a_full_hd_frame_of_an_azure_kinect_reads_without_colour) {
+  FACET_REQUIRE_DATA("azure_frame");
+  const auto spec =
+      spec_of("folder", "azure_frame",
+              {{"depth", "{id}.png"}, {"depth_unit_m", "0.001"}, {"intrinsics_file", "intrinsics.K"}});
+  const DatasetReport report = verify_dataset(spec);
+  EXPECT_TRUE(report.is_whole());
+  ASSERT_EQ(report.image_sizes.size(), 1u);
+  EXPECT_EQ(report.image_sizes[0].size, (Size{1920, 1080}));
+  EXPECT_NEAR(report.missing_share, 0.51, 0.01);
+}
+
+TEST(RealData, table_top_frames_read_with_registered_colour) {
+  FACET_REQUIRE_DATA("tabletop");
+  const auto spec = spec_of("folder", "tabletop",
+                            {{"depth", "{id}.depth.png"},
+                             {"color", "{id}.color.png"},
+                             {"registered", "true"},
+                             {"depth_unit_m", "0.001"},
+                             {"intrinsics", "612.937,613.173,322.549,248.158"}});
+  const DatasetReport report = verify_dataset(spec);
+  EXPECT_TRUE(report.is_whole());
+  EXPECT_EQ(report.with_color, 4u);
+}
+
+TEST(RealData, tum_depth_reads_in_units_of_a_fifth_of_a_millimetre) {
+  FACET_REQUIRE_DATA("tum_fr1_rpy");
+  const auto spec = spec_of("folder", "tum_fr1_rpy",
+                            {{"depth", "depth/{id}.png"},
+                             {"depth_unit_m", "0.0002"},
+                             {"intrinsics", "517.3,516.5,318.6,255.3"},
+                             {"sequence", "true"}});
+  const DatasetReport report = verify_dataset(spec);
+  EXPECT_TRUE(report.is_whole());
+  EXPECT_EQ(report.frames, 40u);
+  EXPECT_LT(report.farthest_m, 13);
+}
+
+}  // namespace
+}  // namespace facet
