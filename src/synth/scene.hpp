@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "synth/curve.hpp"
 #include "synth/patch.hpp"
 
 namespace facet {
@@ -19,18 +20,26 @@ struct Face {
   bool curved = false;  ///< not planar
 };
 
+/// Convex hull of points, grown by a radius: the room that a part of an object takes.
+struct Hull {
+  std::vector<Vec3d> points;
+  double radius_m = 0;
+};
+
 /// A solid or a thin-walled vessel. The object's frame has z up and its resting face in the plane z = 0.
 struct SceneObject {
   std::string shape{};  ///< "box", "cylinder", ...
   std::vector<Patch> patches{};
   std::vector<Face> faces{};
-  RigidMotion pose{};  ///< object -> world
+  std::vector<Curve> curves{};  ///< where two patches meet at an angle, or a thin wall ends
+  std::vector<Hull> hulls{};    ///< convex parts, for placing it
+  RigidMotion pose{};           ///< object -> world
   Rgb colour{};
 };
 
 /// Objects on a table with a room behind. World frame: z up, table top in the plane z = 0. Metres.
 struct Scene {
-  std::vector<SceneObject> objects;
+  std::vector<SceneObject> objects{};
   bool has_table = true;
   double table_half_width_m = 0.6;   ///< along world x
   double table_half_depth_m = 0.45;  ///< along world y
