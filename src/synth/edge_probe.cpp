@@ -63,8 +63,9 @@ bool has_room(const PosedScene& scene, const Camera& camera, const CurvePoint& a
     if (!hit) continue;
     if (!side.own) {
       if (hit->depth_m < at.point.z + rule.finger_depth_m) return false;
-    } else if (hit->object_id != owner && side.hit &&
-               hit->depth_m < plane_depth(*side.hit, camera, image) - rule.contact_gap_m) {
+    } else if (hit->object_id != owner &&
+               hit->depth_m <
+                   std::min(plane_depth(*side.hit, camera, image), at.point.z) - rule.contact_gap_m) {
       return false;
     }
   }

@@ -29,10 +29,12 @@ std::vector<OwnedCurve> curves_of(const Scene& scene, const RigidMotion& T_camer
       const auto more = silhouettes(object.patches[p], eye, static_cast<int>(p));
       curves.insert(curves.end(), more.begin(), more.end());
     }
-    for (const Curve& curve : curves) {
-      const std::size_t a = first_patch + curve.patch_a,
-                        b = curve.patch_b < 0 ? a : first_patch + curve.patch_b;
-      out.push_back({curve.moved(T_camera_object), static_cast<std::uint16_t>(k + 1), a, b});
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      const Curve& curve = curves[c];
+      const std::size_t a = first_patch + curve.patch_a;
+      const std::size_t b = curve.patch_b < 0 ? a : first_patch + curve.patch_b;
+      const bool silhouette = c >= object.curves.size();
+      out.push_back({curve.moved(T_camera_object), static_cast<std::uint16_t>(k + 1), a, b, silhouette});
     }
     first_patch += object.patches.size();
   }
