@@ -27,6 +27,7 @@ expect_of(src/stage/a.hpp "#include \"core/vec.hpp\"" "3 files, 0 violations")
 expect_of(src/stage/a.hpp "#include \"stage/edge_kind.hpp\"" "3 files, 0 violations")
 expect_of(src/method/a.cpp "#include \"cuda/cuda_pipeline.hpp\"" "3 files, 0 violations")
 expect_of(src/synth/a.hpp "#include \"surface/surface.hpp\"" "3 files, 0 violations")
+expect_of(tools/a.cpp "#include \"commands.hpp\"" "3 files, 0 violations")
 expect_of(src/surface/a.cpp "#include <opencv2/core.hpp>" "3 files, 0 violations")
 
 expect_of(src/core/a.hpp "#include \"stage/edge_kind.hpp\"" "core must not include stage/edge_kind.hpp")
