@@ -1,7 +1,6 @@
 #include "experiment/config_layers.hpp"
 
 #include <algorithm>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -83,7 +82,8 @@ class LayerLoader {
     ConfigValue base;
     base.kind = ConfigValue::Kind::map;
     for (const ConfigValue& name : take_extends(document))
-      if (const fs::path file = base_file(name, directory); !file.empty()) merge_over(base, load(file, content));
+      if (const fs::path file = base_file(name, directory); !file.empty())
+        merge_over(base, load(file, content));
     if (content == Content::parameters)
       flatten(document, errors_);
     else
@@ -121,7 +121,8 @@ class LayerLoader {
     const fs::path file = directory / name.scalar;
     std::error_code failed;
     if (!fs::is_regular_file(file, failed)) {
-      errors_.add(name.origin, "extends", name.scalar, fmt::format("an existing file, {} is none", file.string()));
+      errors_.add(name.origin, "extends", name.scalar,
+                  fmt::format("an existing file, {} is none", file.string()));
       return {};
     }
     if (std::find(open_.begin(), open_.end(), fs::weakly_canonical(file)) != open_.end()) {

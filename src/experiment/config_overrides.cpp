@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -89,8 +88,8 @@ void become_map(ConfigValue& element) {
   element = std::move(map);
 }
 
-void set_in_list(ConfigValue& list, const std::string& section, const std::string& path, const Override& change,
-                 ConfigErrors& errors) {
+void set_in_list(ConfigValue& list, const std::string& section, const std::string& path,
+                 const Override& change, ConfigErrors& errors) {
   const auto [name, rest] = split_first(path);
   std::vector<std::string> names;
   for (ConfigValue& element : list.items) {

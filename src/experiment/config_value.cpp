@@ -1,8 +1,8 @@
 #include "experiment/config_value.hpp"
 
 #include <algorithm>
-
 #include <fmt/format.h>
+#include <utility>
 
 namespace facet {
 
@@ -12,7 +12,8 @@ std::string Origin::text() const {
 }
 
 const ConfigEntry* ConfigValue::find(const std::string& key) const {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == key; });
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == key; });
   return found == entries.end() ? nullptr : &*found;
 }
 
@@ -33,10 +34,14 @@ void ConfigValue::erase(const std::string& key) {
 
 std::string ConfigValue::describe() const {
   switch (kind) {
-    case Kind::null: return "null";
-    case Kind::list: return "a list";
-    case Kind::map: return "a map";
-    default: return quoted ? fmt::format("\"{}\"", scalar) : scalar;
+    case Kind::null:
+      return "null";
+    case Kind::list:
+      return "a list";
+    case Kind::map:
+      return "a map";
+    default:
+      return quoted ? fmt::format("\"{}\"", scalar) : scalar;
   }
 }
 

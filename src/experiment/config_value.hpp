@@ -17,8 +17,8 @@ struct Origin {
 
 struct ConfigEntry;
 
-/// One node of a parsed configuration, with the mark of the place it came from. Scalars stay text until the schema
-/// gives them a type.
+/// One node of a parsed configuration, with the mark of the place it came from. Scalars stay text until the
+/// schema gives them a type.
 struct ConfigValue {
   enum class Kind { null, scalar, list, map };
 

@@ -1,7 +1,6 @@
 #include "experiment/config_writer.hpp"
 
 #include <algorithm>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,7 +10,8 @@ namespace facet {
 namespace {
 
 /// Comment for a value: its path and, as text, what the schema expects and what it means.
-using Annotate = std::function<std::string(const std::string& path, const std::string& expected, std::string_view doc)>;
+using Annotate =
+    std::function<std::string(const std::string& path, const std::string& expected, std::string_view doc)>;
 
 std::string quote(const std::string& text) {
   if (is_plain_name(text) && text.find_first_not_of("0123456789.-+eE_") != text.npos && text != "null" &&
@@ -51,9 +51,12 @@ class ConfigWriter {
     const std::string path = "datasets." + spec.name;
     line(2, "- name", spec.name, path + ".name", "text", "name of the data set in every output");
     line(4, "reader", spec.reader, path + ".reader", "a name of `facet list datasets`", "reads the files");
-    if (!spec.root.empty()) line(4, "root", quote(spec.root.string()), path + ".root", "a folder", "where it lies");
-    line(4, "sensor", spell(spec.sensor), path + ".sensor", expectation<Sensor>({}), "auto = as the reader declares");
-    line(4, "frames", frames(spec), path + ".frames", "all, or a list of frame ids", "which frames, in order");
+    if (!spec.root.empty())
+      line(4, "root", quote(spec.root.string()), path + ".root", "a folder", "where it lies");
+    line(4, "sensor", spell(spec.sensor), path + ".sensor", expectation<Sensor>({}),
+         "auto = as the reader declares");
+    line(4, "frames", frames(spec), path + ".frames", "all, or a list of frame ids",
+         "which frames, in order");
     for (const auto& [key, value] : spec.options) line(4, key, option(spec, key, value), path + '.' + key);
   }
   void method(const MethodSpec& spec) {
@@ -90,11 +93,13 @@ void write_studies(ConfigWriter& writer, const Experiment& e) {
   if (e.ablation) {
     writer.raw("ablation:");
     visit_ablation_fields(*e.ablation, writer.fields(2, "ablation"));
-    writer.line(2, "switches", fmt::format("[{}]", fmt::join(e.ablation->switches, ", ")), "ablation.switches");
+    writer.line(2, "switches", fmt::format("[{}]", fmt::join(e.ablation->switches, ", ")),
+                "ablation.switches");
   }
   if (!e.sweep.empty()) writer.raw("sweep:");
   for (const SweepAxis& axis : e.sweep)
-    writer.line(2, axis.parameter, fmt::format("[{}]", fmt::join(axis.values, ", ")), "sweep." + axis.parameter);
+    writer.line(2, axis.parameter, fmt::format("[{}]", fmt::join(axis.values, ", ")),
+                "sweep." + axis.parameter);
 }
 
 std::string write(const Experiment& e, const std::string& head, Annotate annotate) {
@@ -131,11 +136,13 @@ std::string write_config_with_origins(const LoadedExperiment& loaded) {
 
 std::string write_default_config() {
   const std::string head =
-      "# Every key of an experiment with its default. Written by `facet show-config --defaults`; do not edit.\n"
+      "# Every key of an experiment with its default. Written by `facet show-config --defaults`; do not "
+      "edit.\n"
       "# `name` is the name of the file unless it is given.\n";
-  return write(built_in_experiment(), head, [](const auto&, const std::string& expected, std::string_view doc) {
-    return fmt::format("{}; {}", doc, expected);
-  });
+  return write(built_in_experiment(), head,
+               [](const auto&, const std::string& expected, std::string_view doc) {
+                 return fmt::format("{}; {}", doc, expected);
+               });
 }
 
 }  // namespace facet

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -37,7 +36,8 @@ std::filesystem::path resolve_root(const ConfigValue& value) {
   if (value.scalar.starts_with("${")) return value.scalar;
   const std::filesystem::path root(value.scalar);
   const bool in_file = value.origin.line > 0;
-  return root.is_absolute() || !in_file ? root : std::filesystem::path(value.origin.source).parent_path() / root;
+  return root.is_absolute() || !in_file ? root
+                                        : std::filesystem::path(value.origin.source).parent_path() / root;
 }
 
 void read_frames(SectionReader& reader, DatasetSpec& spec) {
@@ -63,22 +63,31 @@ bool has_type(const ConfigValue& value, OptionType type) {
   bool flag = false;
   std::string text;
   switch (type) {
-    case OptionType::number: return read_typed(value, number);
-    case OptionType::flag: return read_typed(value, flag);
-    case OptionType::text: return read_typed(value, text);
+    case OptionType::number:
+      return read_typed(value, number);
+    case OptionType::flag:
+      return read_typed(value, flag);
+    case OptionType::text:
+      return read_typed(value, text);
     default:
       return value.is_list() && !value.items.empty() &&
-             std::all_of(value.items.begin(), value.items.end(),
-                         [](const ConfigValue& item) { double n = 0; return read_typed(item, n); });
+             std::all_of(value.items.begin(), value.items.end(), [](const ConfigValue& item) {
+               double n = 0;
+               return read_typed(item, n);
+             });
   }
 }
 
 std::string option_expectation(OptionType type) {
   switch (type) {
-    case OptionType::number: return "a number";
-    case OptionType::flag: return "true or false";
-    case OptionType::text: return "text";
-    default: return "a list of numbers";
+    case OptionType::number:
+      return "a number";
+    case OptionType::flag:
+      return "true or false";
+    case OptionType::text:
+      return "text";
+    default:
+      return "a list of numbers";
   }
 }
 
@@ -121,7 +130,8 @@ DatasetSpec read_dataset(const ConfigValue& value, const std::string& where, Con
   const ReaderInfo* info = reader_named(spec.reader);
   if (info == nullptr) {
     const ConfigEntry* named = value.find("reader");
-    reader.reject(named != nullptr ? named->value : value, "reader", expected, nearest_name(spec.reader, known));
+    reader.reject(named != nullptr ? named->value : value, "reader", expected,
+                  nearest_name(spec.reader, known));
     return spec;
   }
   if (info->needs_root) spec.root = "${data_root}/" + spec.name;
@@ -143,7 +153,8 @@ MethodSpec read_method(const ConfigValue& value, const std::string& where, Confi
   if (const ConfigValue* kind = reader.take("kind")) {
     spec.kind = kind->scalar;
     if (std::find(known.begin(), known.end(), spec.kind) == known.end())
-      reader.reject(*kind, "kind", fmt::format("one of {}", fmt::join(known, ", ")), nearest_name(spec.kind, known));
+      reader.reject(*kind, "kind", fmt::format("one of {}", fmt::join(known, ", ")),
+                    nearest_name(spec.kind, known));
   }
   if (const ConfigValue* params = reader.take("params")) {
     SectionReader fields(*params, where + ".params", errors, origins);

@@ -11,8 +11,8 @@ template <>
 inline constexpr std::array<std::string_view, 4> enum_names<AblationDesign>{"leave_one_out", "one_in",
                                                                             "cumulative", "factorial"};
 
-// The keys of an experiment's sections, as visit_fields() lists those of the pipeline. They drive the reader, --set,
-// the range checks and configs/default.yaml.
+// The keys of an experiment's sections, as visit_fields() lists those of the pipeline. They drive the reader,
+// --set, the range checks and configs/default.yaml.
 
 template <class Options, class Visitor>
 void visit_score_fields(Options& o, Visitor&& visit) {
@@ -25,7 +25,8 @@ void visit_score_fields(Options& o, Visitor&& visit) {
 template <class Options, class Visitor>
 void visit_timing_fields(Options& o, Visitor&& visit) {
   visit("warmup", o.warmup, FieldInfo{"runs", 0, 10000, "runs of every frame before those that count"});
-  visit("repeats", o.repeats, FieldInfo{"runs", 0, 100000, "counted runs of every frame; 0 = no timing pass"});
+  visit("repeats", o.repeats,
+        FieldInfo{"runs", 0, 100000, "counted runs of every frame; 0 = no timing pass"});
   visit("threads", o.threads, FieldInfo{"threads", 1, 1024, "threads inside one frame"});
 }
 

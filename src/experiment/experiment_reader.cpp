@@ -1,10 +1,9 @@
 #include "experiment/experiment_reader.hpp"
 
 #include <algorithm>
-#include <set>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <set>
 
 #include "experiment/config_layers.hpp"
 #include "experiment/experiment_fields.hpp"
@@ -12,17 +11,22 @@
 namespace facet {
 namespace {
 
+ConfigEntry built_in_entry(const std::string& key, ConfigValue::Kind kind) {
+  ConfigEntry entry;
+  entry.key = key;
+  entry.value.kind = kind;
+  return entry;
+}
+
 ConfigEntry named_list(const std::string& key, const std::string& element_name) {
-  ConfigValue name;
-  name.kind = ConfigValue::Kind::scalar;
-  name.scalar = element_name;
+  ConfigEntry name = built_in_entry("name", ConfigValue::Kind::scalar);
+  name.value.scalar = element_name;
   ConfigValue element;
   element.kind = ConfigValue::Kind::map;
-  element.entries.push_back({"name", {}, name});
-  ConfigValue list;
-  list.kind = ConfigValue::Kind::list;
-  list.items.push_back(element);
-  return {key, {}, list};
+  element.entries.push_back(std::move(name));
+  ConfigEntry list = built_in_entry(key, ConfigValue::Kind::list);
+  list.value.items.push_back(std::move(element));
+  return list;
 }
 
 /// The built-in data set and method, so that --set can address them.
@@ -106,9 +110,12 @@ void read_sections(SectionReader& reader, LoadedExperiment& loaded, ConfigErrors
     visit_section(options, inner);
     inner.finish();
   };
-  section("score", [](auto& o, auto& v) { visit_score_fields(o, v); }, e.score);
-  section("timing", [](auto& o, auto& v) { visit_timing_fields(o, v); }, e.timing);
-  section("outputs", [](auto& o, auto& v) { visit_output_fields(o, v); }, e.outputs);
+  section(
+      "score", [](auto& o, auto& v) { visit_score_fields(o, v); }, e.score);
+  section(
+      "timing", [](auto& o, auto& v) { visit_timing_fields(o, v); }, e.timing);
+  section(
+      "outputs", [](auto& o, auto& v) { visit_output_fields(o, v); }, e.outputs);
   if (const ConfigValue* ablation = reader.take("ablation"))
     e.ablation = read_ablation(*ablation, errors, origins);
   if (const ConfigValue* sweep = reader.take("sweep")) e.sweep = read_sweep(*sweep, errors, origins);
@@ -117,10 +124,9 @@ void read_sections(SectionReader& reader, LoadedExperiment& loaded, ConfigErrors
 }  // namespace
 
 bool is_plain_name(const std::string& name) {
-  return !name.empty() && name.front() != '.' &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) {
-           return c < 128 && (std::isalnum(c) || c == '.' || c == '_' || c == '-');
-         });
+  return !name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return c < 128 && (std::isalnum(c) || c == '.' || c == '_' || c == '-');
+  });
 }
 
 Experiment built_in_experiment() {
@@ -130,7 +136,8 @@ Experiment built_in_experiment() {
   return experiment;
 }
 
-LoadedExperiment load_experiment(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+LoadedExperiment load_experiment(const std::filesystem::path& file,
+                                 const std::vector<std::string>& overrides) {
   ConfigErrors errors;
   ConfigValue tree = load_layers(file, errors);
   errors.throw_if_any();

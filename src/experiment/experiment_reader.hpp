@@ -18,9 +18,11 @@ struct LoadedExperiment {
 /// What runs when an experiment names no data set and no method: one synthetic data set, the default method.
 Experiment built_in_experiment();
 
-/// Reads an experiment file with what it extends and the `--set` options, built-in < base files < file < options.
-/// Throws Error{config} with every error found, one per line: "file:line:col: path: value V: expected E".
-LoadedExperiment load_experiment(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// Reads an experiment file with what it extends and the `--set` options, built-in < base files < file <
+/// options. Throws Error{config} with every error found, one per line: "file:line:col: path: value V:
+/// expected E".
+LoadedExperiment load_experiment(const std::filesystem::path& file,
+                                 const std::vector<std::string>& overrides = {});
 
 /// A data set by its name alone: the reader of that name, below the data root.
 DatasetSpec named_dataset(const std::string& name);

@@ -1,7 +1,6 @@
 #include "experiment/section_reader.hpp"
 
 #include <algorithm>
-
 #include <fmt/ranges.h>
 
 namespace facet {

@@ -10,10 +10,12 @@
 
 namespace facet {
 
-/// Path of a value ("timing.repeats") -> where it was written. Paths that are absent keep their built-in value.
+/// Path of a value ("timing.repeats") -> where it was written. Paths that are absent keep their built-in
+/// value.
 using OriginTable = std::map<std::string, Origin, std::less<>>;
 
-/// Reads one map of a configuration, key by key: a visitor for the field lists. Errors are collected, never thrown.
+/// Reads one map of a configuration, key by key: a visitor for the field lists. Errors are collected, never
+/// thrown.
 class SectionReader {
  public:
   SectionReader(const ConfigValue& section, std::string path, ConfigErrors& errors, OriginTable& origins);

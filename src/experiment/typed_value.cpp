@@ -9,7 +9,8 @@ namespace {
 
 bool plain_number(const ConfigValue& value) {
   static const std::regex decimal(R"([-+]?(0|[1-9][0-9]*)(\.[0-9]*)?([eE][-+]?[0-9]+)?)");
-  return value.is_scalar() && !value.quoted && value.scalar.size() < 64 && std::regex_match(value.scalar, decimal);
+  return value.is_scalar() && !value.quoted && value.scalar.size() < 64 &&
+         std::regex_match(value.scalar, decimal);
 }
 
 template <class T>
@@ -29,7 +30,9 @@ bool read_typed(const ConfigValue& value, bool& out) {
   out = value.scalar == "true";
   return true;
 }
-bool read_typed(const ConfigValue& value, int& out) { return plain_number(value) && parse_whole(value.scalar, out); }
+bool read_typed(const ConfigValue& value, int& out) {
+  return plain_number(value) && parse_whole(value.scalar, out);
+}
 bool read_typed(const ConfigValue& value, float& out) {
   return plain_number(value) && parse_whole(value.scalar, out);
 }

@@ -1,26 +1,25 @@
 #pragma once
 
-#include <string>
-#include <type_traits>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <string>
+#include <type_traits>
 
 #include "experiment/config_value.hpp"
 #include "pipeline/params_fields.hpp"
 
 namespace facet {
 
-/// Strict scalars: `true`/`false`; decimal integers without leading zeros; finite decimal numbers. Quoted text is a
-/// string and nothing else, `010`, `0x8`, `yes` and `.nan` are neither numbers nor switches. False where `value` is
-/// not of the type; `out` is untouched then.
+/// Strict scalars: `true`/`false`; decimal integers without leading zeros; finite decimal numbers. Quoted
+/// text is a string and nothing else, `010`, `0x8`, `yes` and `.nan` are neither numbers nor switches. False
+/// where `value` is not of the type; `out` is untouched then.
 bool read_typed(const ConfigValue& value, bool& out);
 bool read_typed(const ConfigValue& value, int& out);
 bool read_typed(const ConfigValue& value, float& out);
 bool read_typed(const ConfigValue& value, double& out);
 bool read_typed(const ConfigValue& value, std::string& out);
 template <class Enum>
-  requires std::is_enum_v<Enum>
+requires std::is_enum_v<Enum>
 bool read_typed(const ConfigValue& value, Enum& out) {
   if (!value.is_scalar()) return false;
   const auto parsed = parse_enum<Enum>(value.scalar);

@@ -1,11 +1,10 @@
 #include "experiment/yaml_reader.hpp"
 
+#include <fmt/format.h>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
-
-#include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
@@ -129,12 +128,13 @@ ConfigValue parse(std::istream& input, const std::string& source, ConfigErrors& 
     parser.HandleNextDocument(builder);
     ConfigValue root = builder.take_root();
     TreeBuilder rest(source, errors);
-    if (parser.HandleNextDocument(rest)) errors.add(rest.take_root().origin, "only one YAML document per file");
+    if (parser.HandleNextDocument(rest))
+      errors.add(rest.take_root().origin, "only one YAML document per file");
     if (root.origin.source.empty()) root.origin = {source, 1, 1};
     return root;
   } catch (const YAML::Exception& e) {
-    throw Error(ErrorKind::config,
-                fmt::format("{}:{}:{}: not valid YAML: {}", source, e.mark.line + 1, e.mark.column + 1, e.msg));
+    throw Error(ErrorKind::config, fmt::format("{}:{}:{}: not valid YAML: {}", source, e.mark.line + 1,
+                                               e.mark.column + 1, e.msg));
   }
 }
 

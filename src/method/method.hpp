@@ -11,8 +11,8 @@ namespace facet {
 class Method {
  public:
   virtual ~Method() = default;
-  /// `prediction` keeps its memory between calls; `times` is overwritten. Throws Error{data} where the frame cannot
-  /// be processed.
+  /// `prediction` keeps its memory between calls; `times` is overwritten. Throws Error{data} where the frame
+  /// cannot be processed.
   virtual void process(const Frame& frame, Prediction& prediction, StageTimes& times) = 0;
   /// Forgets past frames.
   virtual void reset_history() = 0;

@@ -1,0 +1,103 @@
+#include "experiment/frame_work.hpp"
+
+#include <exception>
+
+#include "experiment/run_directory.hpp"
+#include "file/file_bytes.hpp"
+#include "overlay/overlay.hpp"
+#include "prediction/prediction_io.hpp"
+
+namespace facet {
+namespace {
+
+namespace fs = std::filesystem;
+
+void count_edges(const Prediction& prediction, FrameRow& row) {
+  for (int y = 0; y < prediction.edges.height(); ++y)
+    for (int x = 0; x < prediction.edges.width(); ++x)
+      switch (static_cast<EdgeKind>(prediction.edges(x, y) & ~graspable_edge_bit)) {
+        case EdgeKind::depth:
+          ++row.depth_edge_px;
+          break;
+        case EdgeKind::convex:
+          ++row.convex_edge_px;
+          break;
+        case EdgeKind::concave:
+          ++row.concave_edge_px;
+          break;
+        default:
+          break;
+      }
+}
+
+void describe(const Prediction& prediction, FrameRow& row) {
+  row.reason = escaped_utf8(prediction.note);
+  row.surfaces = static_cast<int>(prediction.surfaces.size());
+  for (const Surface& surface : prediction.surfaces) {
+    row.posed += surface.pose.has_value();
+    row.curved += surface.curved;
+    row.labelled_px += surface.area_px;
+  }
+  for (const RejectedRegion& region : prediction.rejected) ++row.rejected[region.reason];
+  count_edges(prediction, row);
+}
+
+}  // namespace
+
+void FrameWork::keep_finished(const std::vector<FrameRow>& rows) {
+  for (const FrameRow& row : rows)
+    if (row.status == FrameStatus::ok && row.config_hash == identity_.config_hash &&
+        row.build == identity_.build)
+      finished_[{row.dataset, row.frame, row.method}] = row;
+}
+
+std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t index, Method& method) {
+  const Dataset& data = *plan_.datasets[unit.dataset].data;
+  FrameRow row;
+  row.dataset = data.name();
+  row.frame = escaped_utf8(data.frame_id(index));
+  row.method = experiment_.methods[unit.method].name;
+  row.config_hash = identity_.config_hash;
+  row.build = identity_.build;
+  row.status = FrameStatus::data_error;
+  Prediction prediction;
+  Frame frame;
+  try {
+    frame = data.load(index);
+    row.input_hash = data_lock_.input_hash(frame);
+    const auto done = finished_.find({row.dataset, row.frame, row.method});
+    const bool finished = done != finished_.end() && done->second.input_hash == row.input_hash;
+    // A sequence's frame must pass through the method again, for the sake of those that follow.
+    if (finished && !data.is_sequence()) return {done->second, true};
+    row.status = FrameStatus::method_error;
+    StageTimes times;
+    method.process(frame, prediction, times);
+    if (finished) return {done->second, true};
+  } catch (const std::exception& e) {
+    row.reason = escaped_utf8(e.what());
+    return {row, false};
+  }
+  row.status = FrameStatus::ok;
+  row.width_px = frame.depth_m.width();
+  row.height_px = frame.depth_m.height();
+  row.missing_px = static_cast<std::int64_t>(frame.missing_px);
+  describe(prediction, row);
+  write_outputs(frame, prediction, row);
+  return {row, false};
+}
+
+void FrameWork::write_outputs(Frame& frame, const Prediction& prediction, FrameRow& row) {
+  frame.id = portable_name(frame.id);  // names the files
+  const fs::path place = fs::path(row.method) / row.dataset;
+  const double ms = milliseconds_of([&] {
+    if (experiment_.outputs.predictions)
+      write_prediction(prediction, directory_ / "predictions" / place / frame.id);
+    if (!experiment_.outputs.overlays) return;
+    write_overlays(frame, prediction, directory_ / "overlays" / place);
+    row.pictures = {("overlays" / place / (frame.id + ".png")).generic_string()};
+  });
+  const std::lock_guard lock(mutex_);
+  write_times_.push_back({row.dataset, row.frame, row.method, "write", ms});
+}
+
+}  // namespace facet

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facet {
+
+/// What the command line says beside the experiment file; none of it changes a frame's result.
+struct RunOptions {
+  std::filesystem::path config_file;
+  std::vector<std::string> overrides;  ///< --set KEY=VALUE
+  std::optional<std::string> data_root;
+  std::filesystem::path out = "results";
+  std::string backend = "auto";  ///< cpu, cuda or auto
+  std::string filter;            ///< regular expression searched in "dataset/frame"; empty = all
+  std::optional<int> limit;      ///< first N frames of every data set
+  int jobs = 1;
+  int max_failures = 0;  ///< more failed frames than this make the run fail
+  bool resume = false;
+  bool fail_fast = false;
+  std::vector<std::string> command;  ///< as it was typed, for the record
+};
+
+}  // namespace facet

@@ -1,0 +1,103 @@
+#include "record/frame_row.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "core/error.hpp"
+#include "record/csv.hpp"
+
+namespace facet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::array<std::string_view, 3> status_names{"ok", "data_error", "method_error"};
+
+FrameStatus status_from(const std::string& name) {
+  for (std::size_t i = 0; i < status_names.size(); ++i)
+    if (status_names[i] == name) return static_cast<FrameStatus>(i);
+  throw Error(ErrorKind::data, "unknown frame status '" + name + "'");
+}
+
+/// THE list of a row's keys: writing and reading both go through it.
+template <class Row, class Visitor>
+void visit_row(Row& row, Visitor&& visit) {
+  visit("dataset", row.dataset);
+  visit("frame", row.frame);
+  visit("method", row.method);
+  visit("status", row.status);
+  visit("reason", row.reason);
+  visit("config_hash", row.config_hash);
+  visit("input_hash", row.input_hash);
+  visit("build", row.build);
+  visit("width_px", row.width_px);
+  visit("height_px", row.height_px);
+  visit("missing_px", row.missing_px);
+  visit("labelled_px", row.labelled_px);
+  visit("depth_edge_px", row.depth_edge_px);
+  visit("convex_edge_px", row.convex_edge_px);
+  visit("concave_edge_px", row.concave_edge_px);
+  visit("surfaces", row.surfaces);
+  visit("posed", row.posed);
+  visit("curved", row.curved);
+  visit("rejected", row.rejected);
+  visit("pictures", row.pictures);
+}
+
+}  // namespace
+
+std::string_view status_name(FrameStatus status) {
+  return status_names[static_cast<std::size_t>(status)];
+}
+
+bool row_before(const FrameRow& a, const FrameRow& b) {
+  return std::tie(a.dataset, a.frame, a.method) < std::tie(b.dataset, b.frame, b.method);
+}
+
+std::string to_json_line(const FrameRow& row) {
+  Json json = Json::object();
+  visit_row(row, [&](const char* key, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, FrameStatus>)
+      json[key] = std::string(status_name(value));
+    else
+      json[key] = value;
+  });
+  return json.dump() + '\n';
+}
+
+FrameRow frame_row_from_json(std::string_view line) {
+  FrameRow row;
+  try {
+    const Json json = Json::parse(line);
+    visit_row(row, [&](const char* key, auto& value) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, FrameStatus>)
+        value = status_from(json.at(key).get<std::string>());
+      else
+        json.at(key).get_to(value);
+    });
+  } catch (const nlohmann::json::exception& e) {
+    throw Error(ErrorKind::data, std::string("not a frame row: ") + e.what());
+  }
+  return row;
+}
+
+std::string frames_csv(const std::vector<FrameRow>& rows) {
+  std::string text = csv_line({"dataset", "frame", "method", "status", "reason", "width_px", "height_px",
+                               "missing_px", "labelled_px", "depth_edge_px", "convex_edge_px",
+                               "concave_edge_px", "surfaces", "posed", "curved", "rejected"});
+  for (const FrameRow& r : rows) {
+    int rejected = 0;
+    for (const auto& [reason, count] : r.rejected) rejected += count;
+    CsvRow fields{r.dataset, r.frame, r.method, std::string(status_name(r.status)), r.reason};
+    const bool ok = r.status == FrameStatus::ok;  // a failed frame has no counts, which is not the same as 0
+    for (const std::int64_t count :
+         {std::int64_t{r.width_px}, std::int64_t{r.height_px}, r.missing_px, r.labelled_px, r.depth_edge_px,
+          r.convex_edge_px, r.concave_edge_px, std::int64_t{r.surfaces}, std::int64_t{r.posed},
+          std::int64_t{r.curved}, std::int64_t{rejected}})
+      fields.push_back(ok ? std::to_string(count) : "");
+    text += csv_line(fields);
+  }
+  return text;
+}
+
+}  // namespace facet

@@ -1,0 +1,81 @@
+#include "record/run_record.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "file/file_bytes.hpp"
+
+namespace facet {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string read_text(const fs::path& file) {
+  const auto bytes = read_file_bytes(file);
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Empty where the run did not come so far as to write the file.
+std::string read_text_if_any(const fs::path& file) {
+  return fs::exists(file) && fs::file_size(file) > 0 ? read_text(file) : std::string();
+}
+
+Calibration calibration_from_json(const Json& json) {
+  return {json.at("repeats").get<int>(), json.at("median_ms").get<double>(), json.at("min_ms").get<double>()};
+}
+
+void flatten(const Json& json, const std::string& prefix,
+             std::vector<std::pair<std::string, std::string>>& out) {
+  for (const auto& [key, value] : json.items()) {
+    const std::string name = prefix.empty() ? key : prefix + '.' + key;
+    if (value.is_object())
+      flatten(value, name, out);
+    else
+      out.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+}
+
+}  // namespace
+
+std::vector<FrameRow> frame_rows_from_jsonl(const std::string& text) {
+  std::vector<FrameRow> rows;
+  std::size_t start = 0;
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start)) {
+    rows.push_back(frame_row_from_json(std::string_view(text).substr(start, end - start)));
+    start = end + 1;
+  }
+  return rows;
+}
+
+RunRecord read_run(const fs::path& directory) {
+  if (!fs::is_regular_file(directory / "manifest.json"))
+    throw Error(ErrorKind::data, printable(directory) + ": not a run directory, it has no manifest.json");
+  RunRecord run;
+  run.manifest = manifest_from_json(read_text(directory / "manifest.json"));
+  run.frames = frame_rows_from_jsonl(read_text_if_any(directory / "frames.jsonl"));
+  run.timing = timing_from_csv(read_text_if_any(directory / "timing/samples.csv"));
+  run.io_times = io_times_from_csv(read_text_if_any(directory / "timing/io.csv"));
+  try {
+    if (const std::string text = read_text_if_any(directory / "timing/calibration.json"); !text.empty())
+      run.calibration = calibration_from_json(Json::parse(text));
+    if (const std::string text = read_text_if_any(directory / "env.json"); !text.empty())
+      flatten(Json::parse(text), "", run.environment);
+  } catch (const nlohmann::json::exception& e) {
+    throw Error(ErrorKind::data, printable(directory) + ": damaged JSON: " + e.what());
+  }
+  return run;
+}
+
+std::string to_json(const Calibration& calibration) {
+  Json json;
+  json["operations"] =
+      "OpenCV GaussianBlur 5x5, Sobel 3x3 and medianBlur 5 on a fixed 640x480 float image, 1 thread";
+  json["repeats"] = calibration.repeats;
+  json["median_ms"] = calibration.median_ms;
+  json["min_ms"] = calibration.min_ms;
+  return json.dump(2) + '\n';
+}
+
+}  // namespace facet

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "record/frame_row.hpp"
+#include "record/manifest.hpp"
+#include "record/timing_row.hpp"
+
+namespace facet {
+
+/// Time of the fixed operations that every run measures beside its methods, so that times of different
+/// machines can be set in relation.
+struct Calibration {
+  int repeats = 0;
+  double median_ms = 0;
+  double min_ms = 0;
+};
+
+/// Everything a report is made from.
+struct RunRecord {
+  Manifest manifest;
+  std::vector<FrameRow> frames;
+  TimingTable timing;
+  std::vector<IoTime> io_times;
+  std::optional<Calibration> calibration;
+  std::vector<std::pair<std::string, std::string>> environment;  ///< of env.json, nested keys joined by dots
+};
+
+/// Reads the stored rows of a run directory. Throws Error{data} where the directory is none or a file is
+/// damaged; a last line of frames.jsonl that was cut off is left out.
+RunRecord read_run(const std::filesystem::path& directory);
+
+/// Whole rows of a frames.jsonl text.
+std::vector<FrameRow> frame_rows_from_jsonl(const std::string& text);
+
+std::string to_json(const Calibration& calibration);
+
+}  // namespace facet

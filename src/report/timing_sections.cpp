@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "report/run_report.hpp"
+#include "report/timing_summary.hpp"
+
+namespace facet {
+namespace {
+
+std::string mean_and_deviation(const TimeStatistics& t) {
+  return t.n == 0 ? "n/a" : fmt::format("{:.2f} ± {:.2f}", t.mean_ms, t.deviation_ms);
+}
+std::string optional_ms(const std::optional<double>& ms) {
+  return ms ? fmt::format("{:.2f}", *ms) : "n/a";
+}
+std::string paper_time(const std::optional<PaperTime>& paper) {
+  return paper ? fmt::format("{:.2f} ± {:.1f}", paper->mean_ms, paper->deviation_ms) : "-";
+}
+
+using Summaries = std::vector<const TimingSummary*>;
+
+/// One row of the table: a cell per method, then the paper's.
+template <class Cell>
+void add_row(ReportTable& table, const Summaries& methods, const std::string& label, const Cell& cell,
+             const std::string& paper = "-") {
+  std::vector<std::string> row{label};
+  for (const TimingSummary* s : methods) row.push_back(cell(*s));
+  row.push_back(paper);
+  table.rows.push_back(std::move(row));
+}
+
+void add_totals(ReportTable& table, const Summaries& m) {
+  using S = const TimingSummary&;
+  add_row(
+      table, m, "Unattributed", [](S s) { return mean_and_deviation(s.unattributed); }, "4.72");
+  add_row(
+      table, m, "Total without pose", [](S s) { return mean_and_deviation(s.total_without_pose); },
+      "15.90 ± 2.6");
+  add_row(table, m, "Pose per frame", [](S s) { return mean_and_deviation(s.pose); });
+  add_row(
+      table, m, "Pose per surface", [](S s) { return optional_ms(s.pose_per_surface_ms); }, "1.20");
+  add_row(
+      table, m, "Total", [](S s) { return mean_and_deviation(s.total); }, "16.8, one surface");
+  for (std::size_t i = 0; i < deadlines_ms.size(); ++i)
+    add_row(table, m, fmt::format("Runs over {:.1f} ms", deadlines_ms[i]),
+            [&](S s) { return fmt::format("{} of {}", s.total.deadline_misses[i], s.total.n); });
+}
+
+ReportTable table3(const RunRecord& run, const std::string& dataset, const Summaries& methods) {
+  ReportTable table;
+  table.caption = fmt::format("Time per stage on {} [ms], mean ± standard deviation", dataset);
+  table.header = {"stage"};
+  for (const TimingSummary* s : methods) table.header.push_back(s->method);
+  table.header.push_back("paper, GTX 1070, other data");
+  const auto layout = table3_layout();
+  for (std::size_t i = 0; i < layout.size(); ++i)
+    add_row(
+        table, methods, fmt::format("{}{}", layout[i].indented ? "  " : "", layout[i].label),
+        [&](const TimingSummary& s) { return mean_and_deviation(s.layout[i].times); },
+        paper_time(layout[i].paper));
+  add_totals(table, methods);
+  const Manifest& m = run.manifest;
+  table.notes.push_back(
+      fmt::format("{} thread{}, back end {}, {} frame{}, {} runs each after {} for warm-up.",
+                  m.timing_threads, m.timing_threads == 1 ? "" : "s", m.backend, methods.front()->frames,
+                  methods.front()->frames == 1 ? "" : "s", m.timing_repeats, m.timing_warmup));
+  table.notes.push_back(
+      "Total = decoded depth in memory to contours, poses and labels in memory. The paper's stages sum to "
+      "11.18 of "
+      "its 15.9 ms.");
+  return table;
+}
+
+/// Summaries grouped by data set, in order.
+std::vector<Summaries> by_dataset(const std::vector<TimingSummary>& all) {
+  std::vector<Summaries> groups;
+  for (const TimingSummary& s : all) {
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const Summaries& g) { return g.front()->dataset == s.dataset; });
+    if (group == groups.end())
+      groups.push_back({&s});
+    else
+      group->push_back(&s);
+  }
+  return groups;
+}
+
+std::string percentile_text(const TimeStatistics& t, std::size_t i) {
+  if (t.percentile_ms[i]) return fmt::format("{:.2f}", *t.percentile_ms[i]);
+  return fmt::format("n/a (n = {} < {})", t.n, least_samples_for(percentiles[i]));
+}
+
+std::vector<std::string> detail_row(const std::string& name, const TimeStatistics& t) {
+  std::vector<std::string> row{name, std::to_string(t.n), fmt::format("{:.3f}", t.mean_ms),
+                               fmt::format("{:.3f}", t.deviation_ms)};
+  for (std::size_t i = 0; i < percentiles.size(); ++i) row.push_back(percentile_text(t, i));
+  row.push_back(fmt::format("{:.2f}", t.max_ms));
+  for (const int misses : t.deadline_misses) row.push_back(std::to_string(misses));
+  row.push_back(std::to_string(t.outliers));
+  return row;
+}
+
+std::string slope_text(const TimingSummary& s) {
+  if (!s.by_surfaces) return "n/a: fewer than three frames with different numbers of surfaces";
+  const LineFit& fit = *s.by_surfaces;
+  return fmt::format("{:+.3f} ms per surface, 95 % interval [{:+.3f}, {:+.3f}], n = {} frames", fit.slope,
+                     fit.slope_low, fit.slope_high, fit.n);
+}
+
+ReportTable detail_table(const TimingSummary& s) {
+  ReportTable table;
+  table.caption = fmt::format("{} on {}, every stage [ms]", s.method, s.dataset);
+  table.header = {"stage", "n",   "mean", "sd",     "p50",    "p90",
+                  "p95",   "p99", "max",  "> 30.0", "> 33.3", "outliers"};
+  for (const NamedTimes& stage : s.stages) table.rows.push_back(detail_row(stage.name, stage.times));
+  table.rows.push_back(detail_row("unattributed", s.unattributed));
+  table.rows.push_back(detail_row("total", s.total));
+  table.notes.push_back(fmt::format("First run {} ms; warm-up {} ms (n = {}).", optional_ms(s.first_ms),
+                                    mean_and_deviation(s.warmup), s.warmup.n));
+  table.notes.push_back(fmt::format(
+      "Repeats of one frame: sd {:.3f} ms (pooled). Different frames: sd {} ms.", s.repeat_deviation_ms,
+      s.frame_deviation_ms ? fmt::format("{:.3f}", *s.frame_deviation_ms) : std::string("n/a (one frame)")));
+  table.notes.push_back("Slope of the total over the number of surfaces: " + slope_text(s) + ".");
+  table.notes.push_back(
+      "Outliers have a modified z score over 3.5; they are counted here and kept everywhere.");
+  return table;
+}
+
+ReportTable io_table(const RunRecord& run) {
+  ReportTable table;
+  table.caption = "Outside the methods [ms]";
+  table.header = {"what", "n", "mean", "sd", "max"};
+  for (const std::string what : {"decode", "write"}) {
+    std::vector<double> ms;
+    for (const IoTime& t : run.io_times)
+      if (t.what == what) ms.push_back(t.ms);
+    const TimeStatistics t = summarize_times(ms);
+    if (t.n > 0)
+      table.rows.push_back({what, std::to_string(t.n), fmt::format("{:.2f}", t.mean_ms),
+                            fmt::format("{:.2f}", t.deviation_ms), fmt::format("{:.2f}", t.max_ms)});
+  }
+  table.notes.push_back(
+      fmt::format("Frames are decoded before their timed runs; outputs were written in the "
+                  "accuracy pass, {} frames at a time. Nothing was scored.",
+                  run.manifest.jobs));
+  return table;
+}
+
+}  // namespace
+
+ReportSection timing_section(const RunRecord& run) {
+  ReportSection section;
+  section.title = "Timing";
+  const std::vector<TimingSummary> summaries = summarize_timing(run.timing);
+  for (const Summaries& methods : by_dataset(summaries))
+    section.tables.push_back(table3(run, methods.front()->dataset, methods));
+  if (summaries.empty()) section.paragraphs.push_back("Not timed.");
+  return section;
+}
+
+ReportSection timing_detail_section(const RunRecord& run) {
+  ReportSection section;
+  section.title = "Timing in detail";
+  section.on_console = false;
+  for (const TimingSummary& s : summarize_timing(run.timing)) section.tables.push_back(detail_table(s));
+  if (!run.io_times.empty()) section.tables.push_back(io_table(run));
+  if (run.calibration)
+    section.paragraphs.push_back(
+        fmt::format("Calibration block (fixed OpenCV operations, one thread): median {:.2f} ms of "
+                    "{} repeats.",
+                    run.calibration->median_ms, run.calibration->repeats));
+  return section;
+}
+
+}  // namespace facet

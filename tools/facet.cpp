@@ -1,0 +1,153 @@
+// The command line: options in, one command called, errors to exit codes.
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "facet_commands.hpp"
+
+namespace {
+
+struct Arguments {
+  facet::RunOptions run;
+  Voice voice;
+  std::optional<int> seed;
+  bool dry_run = false;
+  bool keep_going = false;
+  bool defaults = false;
+  std::string file;
+  std::string dataset;
+  std::string list_what;
+  std::vector<std::string> run_directories;
+};
+
+void add_config_options(CLI::App& command, Arguments& a) {
+  command.add_option("--set", a.run.overrides, "KEY=VALUE over the experiment file, repeatable")
+      ->allow_extra_args(false);
+  command.add_option("--seed", a.seed, "the same as --set seed=N")->check(CLI::NonNegativeNumber);
+}
+
+void add_data_root(CLI::App& command, Arguments& a) {
+  command.add_option("--data-root", a.run.data_root, "folder that holds the data sets; beats FACET_DATA");
+}
+
+void add_run(CLI::App& app, Arguments& a) {
+  CLI::App* run = app.add_subcommand("run", "run methods over data sets, time them, write a run directory");
+  run->add_option("experiment", a.file, "experiment file (YAML)")->required();
+  add_config_options(*run, a);
+  add_data_root(*run, a);
+  run->add_option("-o,--out", a.run.out, "results root")->capture_default_str();
+  run->add_option("-j,--jobs", a.run.jobs, "frames at a time in the accuracy pass")
+      ->check(CLI::Range(1, 1024));
+  run->add_option("--filter", a.run.filter,
+                  "only frames whose dataset/frame matches this regular expression");
+  run->add_option("--limit", a.run.limit, "only the first N frames of every data set")
+      ->check(CLI::PositiveNumber);
+  run->add_flag("--resume", a.run.resume, "complete the newest run of the same configuration and build");
+  auto* fast = run->add_flag("--fail-fast", a.run.fail_fast, "stop at the first failed frame");
+  run->add_flag("--keep-going", a.keep_going, "go on after failed frames (the default)")->excludes(fast);
+  run->add_option("--max-failures", a.run.max_failures, "failed frames that are forgiven")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(fast);
+  run->add_flag("--dry-run", a.dry_run, "say what would run and stop");
+  run->add_option("--backend", a.run.backend, "cpu, cuda or auto")
+      ->check(CLI::IsMember({"cpu", "cuda", "auto"}))
+      ->capture_default_str();
+  auto* quiet = run->add_flag("-q,--quiet", a.voice.quiet, "errors alone on stderr");
+  run->add_flag("-v,--verbose", a.voice.verbose, "every frame on stderr")->excludes(quiet);
+  run->add_flag("--no-progress", a.voice.no_progress, "no progress on stderr");
+  run->add_option("--color", a.voice.color, "auto, always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+}
+
+void add_others(CLI::App& app, Arguments& a) {
+  CLI::App* show =
+      app.add_subcommand("show-config", "print the merged experiment and where each value comes from");
+  auto* file = show->add_option("experiment", a.file, "experiment file (YAML)");
+  show->add_flag("--defaults", a.defaults, "print every key with its default instead")->excludes(file);
+  add_config_options(*show, a);
+
+  CLI::App* dataset = app.add_subcommand("dataset", "look at data sets");
+  dataset->require_subcommand(1);
+  dataset->add_subcommand("list", "the readers there are");
+  for (const auto& [name, doc] : {std::pair{"info", "what a data set is and its frames"},
+                                  std::pair{"verify", "read every frame, compare checksums and counts"}}) {
+    CLI::App* command = dataset->add_subcommand(name, doc);
+    command->add_option("dataset", a.dataset, "a reader's name, or a folder with dataset.yaml")->required();
+    add_data_root(*command, a);
+  }
+  CLI::App* list = app.add_subcommand("list", "what there is, one line each");
+  list->add_option("what", a.list_what, "methods, datasets, stages or metrics")
+      ->required()
+      ->check(CLI::IsMember({"methods", "datasets", "stages", "metrics"}));
+  add_data_root(*app.add_subcommand("doctor", "what this machine and this binary have"), a);
+  CLI::App* report = app.add_subcommand("report", "render stored runs again: report.md and report.html");
+  report->add_option("run", a.run_directories, "run directories")->required();
+}
+
+int dispatch(const CLI::App& app, Arguments& a) {
+  if (a.seed) a.run.overrides.push_back(fmt::format("seed={}", *a.seed));
+  if (app.got_subcommand("run")) {
+    a.run.config_file = a.file;
+    return command_run(a.run, a.voice, a.dry_run);
+  }
+  if (app.got_subcommand("show-config")) {
+    if (a.defaults) return command_show_defaults();
+    if (a.file.empty())
+      throw facet::Error(facet::ErrorKind::usage, "show-config: give an experiment or --defaults");
+    return command_show_config(a.file, a.run.overrides);
+  }
+  if (app.got_subcommand("report")) return command_report(a.run_directories);
+  if (app.got_subcommand("list")) return command_list(a.list_what);
+  if (app.got_subcommand("doctor")) return command_doctor(a.run.data_root);
+  const CLI::App* dataset = app.get_subcommand("dataset");
+  if (dataset->got_subcommand("list")) return command_dataset_list();
+  return command_dataset_report(a.dataset, a.run.data_root, dataset->got_subcommand("verify"));
+}
+
+int exit_code_of(facet::ErrorKind kind) {
+  switch (kind) {
+    case facet::ErrorKind::usage:
+      return 2;
+    case facet::ErrorKind::config:
+      return 3;
+    case facet::ErrorKind::data:
+      return 4;
+    case facet::ErrorKind::not_measured:
+      return 6;
+    default:
+      return 70;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A file too large and a closed pipe are errors of a write, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  Arguments arguments;
+  arguments.run.command.assign(argv, argv + argc);
+  CLI::App app("facet: batch evaluation of surface segmentation in depth images", "facet");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  add_run(app, arguments);
+  add_others(app, arguments);
+  try {
+    app.parse(argc, argv);
+    return dispatch(app, arguments);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  } catch (const facet::Error& e) {
+    fmt::print(stderr, "facet: {}\n", e.what());
+    return exit_code_of(e.kind());
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "facet: internal error: {}\n", e.what());
+    return 70;
+  }
+}

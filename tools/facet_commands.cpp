@@ -1,0 +1,153 @@
+#include "facet_commands.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include "core/error.hpp"
+#include "dataset/verify.hpp"
+#include "experiment/build_info.hpp"
+#include "experiment/config_writer.hpp"
+#include "experiment/data_root.hpp"
+#include "experiment/dataset_text.hpp"
+#include "experiment/environment.hpp"
+#include "experiment/runner.hpp"
+#include "facet_progress.hpp"
+#include "method/registry.hpp"
+#include "pipeline/stage_id.hpp"
+
+namespace {
+
+std::atomic<int> stop_signal = 0;
+
+extern "C" void request_stop(int signal) {
+  stop_signal = signal;
+}
+
+/// The first signal ends the run at the next frame; a second one ends the program.
+void stop_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = request_stop;
+  action.sa_flags = SA_RESETHAND;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+std::shared_ptr<spdlog::logger> make_log(const Voice& voice) {
+  const auto mode = voice.color == "always"  ? spdlog::color_mode::always
+                    : voice.color == "never" ? spdlog::color_mode::never
+                                             : spdlog::color_mode::automatic;
+  auto log = spdlog::stderr_color_mt("facet", mode);
+  log->set_pattern("%^%l%$: %v");
+  log->set_level(voice.quiet     ? spdlog::level::err
+                 : voice.verbose ? spdlog::level::debug
+                                 : spdlog::level::info);
+  return log;
+}
+
+void print_plan(const facet::Experiment& experiment, const facet::Plan& plan) {
+  for (const facet::PlannedDataset& planned : plan.datasets)
+    fmt::print("data set {}: {} of {} frames\n", planned.spec.name, planned.frames.size(),
+               planned.data->size());
+  for (const facet::MethodSpec& method : experiment.methods)
+    fmt::print("method {} ({})\n", method.name, method.kind);
+  fmt::print("{} frames times methods\n", plan.frame_count());
+}
+
+}  // namespace
+
+int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_run) {
+  if (dry_run) {
+    const auto loaded = facet::load_experiment(options.config_file, options.overrides);
+    print_plan(loaded.experiment, facet::check_experiment(loaded.experiment, options));
+    return 0;
+  }
+  stop_on_signals();
+  const auto log = make_log(voice);
+  facet::RunOutcome outcome;
+  {
+    Progress progress(log, !voice.no_progress && !voice.quiet);
+    outcome = facet::run_experiment(options, progress, stop_signal);
+  }
+  if (stop_signal != 0) {
+    log->warn("interrupted; the same command with --resume completes {}", outcome.directory.string());
+    return outcome.exit_code;
+  }
+  fmt::print("{}\nrun directory: {}\nreport: {}\n", facet::render_console(outcome.report),
+             outcome.directory.string(), (outcome.directory / "report/report.html").string());
+  return outcome.exit_code;
+}
+
+int command_report(const std::vector<std::string>& run_directories) {
+  for (const std::string& directory : run_directories) {
+    const facet::Report report = facet::render_report(directory);
+    fmt::print("{}\nreport: {}\n", facet::render_console(report),
+               (std::filesystem::path(directory) / "report/report.html").string());
+  }
+  return 0;
+}
+
+int command_show_config(const std::string& file, const std::vector<std::string>& overrides) {
+  fmt::print("{}", facet::write_config_with_origins(facet::load_experiment(file, overrides)));
+  return 0;
+}
+
+int command_show_defaults() {
+  fmt::print("{}", facet::write_default_config());
+  return 0;
+}
+
+int command_dataset_list() {
+  return command_list("datasets");
+}
+
+int command_dataset_report(const std::string& dataset, const std::optional<std::string>& data_root,
+                           bool verify) {
+  const facet::DatasetSpec spec =
+      facet::locate(facet::dataset_called(dataset), facet::find_data_root(data_root));
+  if (!verify) {
+    const auto data = facet::open_dataset(spec);
+    fmt::print("{}", facet::describe_dataset(spec, *data));
+    return 0;
+  }
+  const facet::DatasetReport report = facet::verify_dataset(spec);
+  fmt::print("{}", facet::describe_report(spec, report));
+  return report.is_whole() ? 0 : 4;
+}
+
+int command_list(const std::string& what) {
+  if (what == "methods")
+    for (const facet::MethodKind& kind : facet::method_kinds())
+      fmt::print("{:<16} {}\n", kind.name, kind.doc);
+  if (what == "datasets")
+    for (const facet::ReaderInfo& reader : facet::readers())
+      fmt::print("{:<16} {}\n", reader.name, reader.doc);
+  if (what == "stages")
+    for (const facet::StageName& stage : facet::stage_names)
+      fmt::print("{:<16} {}\n", stage.key, stage.column);
+  if (what == "metrics")
+    fmt::print("{:<16} surfaces found in a frame, in metrics/frames.csv\n{:<16} those with a 6-DOF pose\n",
+               "surfaces", "posed");
+  return 0;
+}
+
+int command_doctor(const std::optional<std::string>& data_root) {
+  fmt::print("{}", facet::environment_json());
+  const auto root = facet::find_data_root(data_root);
+  if (!root) {
+    fmt::print("data root: none; give --data-root or set FACET_DATA\n");
+    return 0;
+  }
+  fmt::print("data root: {}{}\n", *root, std::filesystem::is_directory(*root) ? "" : " (no such folder)");
+  return 0;
+}
+
+std::string version_text() {
+  const facet::BuildInfo& info = facet::build_info();
+  return fmt::format("facet {}\ncommit {}{}\ncompiler {}\nflags {} ({})\ncuda {}", info.version, info.commit,
+                     info.dirty ? " (dirty)" : "", info.compiler, info.flags, info.build_type, info.cuda);
+}
