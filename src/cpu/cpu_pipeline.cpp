@@ -1,6 +1,12 @@
 #include "cpu/cpu_pipeline.hpp"
 
 #include "cpu/executor.hpp"
+#include "cpu/tuned/fill_missing.hpp"
+#include "cpu/tuned/hysteresis.hpp"
+#include "cpu/tuned/labelling.hpp"
+#include "cpu/tuned/normals.hpp"
+#include "cpu/tuned/pruning.hpp"
+#include "cpu/tuned/thinning.hpp"
 #include "pipeline/frame_check.hpp"
 #include "pipeline/pipeline_body.hpp"
 

@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include "core/image.hpp"
+#include "cpu/scratch.hpp"
 
 namespace facet {
 
@@ -91,6 +92,9 @@ class CpuExecutor {
     elapsed_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   }
 
+  /// Memory for the tuned stages.
+  CpuScratch& scratch() { return scratch_; }
+
  private:
   template <class Op>
   static void run_row(const Op& shared_op, Size size, int y) {
@@ -134,6 +138,7 @@ class CpuExecutor {
   int threads_;
   tbb::task_arena arena_;
   int changed_ = 0;
+  CpuScratch scratch_;
 };
 
 }  // namespace facet

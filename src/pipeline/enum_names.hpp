@@ -30,11 +30,13 @@ inline constexpr std::array<std::string_view, 2> enum_names<DepthEdgeMode>{"jump
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<CreaseMode>{"normals", "paper", "gaussian"};
 template <>
+inline constexpr std::array<std::string_view, 2> enum_names<CreaseClosure>{"basins", "canny"};
+template <>
 inline constexpr std::array<std::string_view, 2> enum_names<CreaseAngle>{"atan2", "atan"};
 template <>
 inline constexpr std::array<std::string_view, 2> enum_names<Convexity>{"signed", "hessian"};
 template <>
-inline constexpr std::array<std::string_view, 3> enum_names<MorphologyMode>{"region", "paper", "none"};
+inline constexpr std::array<std::string_view, 3> enum_names<MorphologyMode>{"none", "bridge", "paper"};
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<PruningMode>{"stability", "gonzalez", "none"};
 template <>

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/error.hpp"
+#include "pipeline/enum_names.hpp"
 #include "pipeline/params_fields.hpp"
 
 namespace facet {
@@ -37,6 +38,8 @@ void validate(const PipelineParams& params) {
     reject("dd.low_per_px", "must not exceed dd.high_per_px", std::to_string(params.dd.low_per_px));
   if (params.cd.low_deg > params.cd.high_deg)
     reject("cd.low_deg", "must not exceed cd.high_deg", std::to_string(params.cd.low_deg));
+  if (params.cd.closure == CreaseClosure::basins && params.cd.mode != CreaseMode::normals)
+    reject("cd.closure", "basins needs cd.mode: normals", std::string(enum_name(params.cd.mode)));
   if (params.morphology.small_element_px >= params.morphology.large_element_px)
     reject("morphology.small_element_px", "must be smaller than morphology.large_element_px",
            std::to_string(params.morphology.small_element_px));

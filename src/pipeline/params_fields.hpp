@@ -54,6 +54,9 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("cd.angle", p.cd.angle, FieldInfo{"", 0, 0, "paper: atan2, or atan as printed"});
   visit("cd.weighted", p.cd.weighted, FieldInfo{"", 0, 0, "paper: damp directions below their own noise"});
   visit("cd.radius_px", p.cd.radius_px, FieldInfo{"px", 1, 16, "normals: half side of the fit window"});
+  visit("cd.closure", p.cd.closure, FieldInfo{"", 0, 0, "closed lines between basins, or the paper's Canny"});
+  visit("cd.rise_deg", p.cd.rise_deg, FieldInfo{"deg", 0, 180, "basins: least rise of a border over its sides"});
+  visit("cd.fit_ratio", p.cd.fit_ratio, FieldInfo{"", 0, 1000, "basins: least F ratio of two planes over one"});
   visit("cd.high_deg", p.cd.high_deg, FieldInfo{"deg", 0, 180, "upper threshold on the change of direction"});
   visit("cd.low_deg", p.cd.low_deg, FieldInfo{"deg", 0, 180, "lower threshold"});
   visit("cd.depth_guard_px", p.cd.depth_guard_px, FieldInfo{"px", 0, 16, "no crease this near a depth edge"});
@@ -62,8 +65,8 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("hessian_dead_band_per_m", p.edge_kind.hessian_dead_band_per_m,
         FieldInfo{"1/m", 0, 1000, "hessian: smaller curvature is undecided"});
 
-  visit("morphology.mode", p.morphology.mode, FieldInfo{"", 0, 0, "region, paper (eqs 7-9) or none"});
-  visit("morphology.bridge_px", p.morphology.bridge_px, FieldInfo{"px", 0, 5, "dilation before thinning"});
+  visit("morphology.mode", p.morphology.mode, FieldInfo{"", 0, 0, "none, bridge or paper (eqs 7-9)"});
+  visit("morphology.bridge_px", p.morphology.bridge_px, FieldInfo{"px", 0, 5, "bridge: dilation before thinning"});
   visit("morphology.small_element_px", p.morphology.small_element_px, FieldInfo{"px", 3, 31, "paper: B2", true});
   visit("morphology.large_element_px", p.morphology.large_element_px, FieldInfo{"px", 3, 63, "paper: B1", true});
 

@@ -6,6 +6,7 @@
 #include "pipeline/buffers.hpp"
 #include "pipeline/params.hpp"
 #include "pipeline/result.hpp"
+#include "stage/basins.hpp"
 #include "stage/edge_distance.hpp"
 #include "stage/hysteresis.hpp"
 #include "stage/labelling.hpp"
@@ -13,6 +14,7 @@
 #include "stage/normals.hpp"
 #include "stage/ownership.hpp"
 #include "stage/thinning.hpp"
+#include "surface/basin_merging.hpp"
 #include "surface/regions.hpp"
 #include "surface/surface_list.hpp"
 
@@ -131,9 +133,22 @@ class PipelineBody {
   }
 
   void trace_creases() {  // section 4.2.1
+    if (params_.cd.closure == CreaseClosure::basins) return trace_basins();
     const bool chord = params_.cd.mode == CreaseMode::normals;
     const auto threshold = [chord](float deg) { return chord ? 2 * std::sin(deg / 2 / degrees_per_radian) : deg; };
     run_canny(threshold(params_.cd.low_deg), threshold(params_.cd.high_deg), b_.crease_edge);
+  }
+
+  /// Closed creases: the borders that are left between the basins of the crease strength after merging.
+  void trace_basins() {
+    const CreaseHeight height{b_.strength.view(), b_.distance.view(), params_.cd.depth_guard_px};
+    crease_basins(executor_, height, b_.root.view());
+    const BasinLandscape landscape{executor_.on_host(b_.root), executor_.on_host(b_.depth),
+                                   executor_.on_host(b_.strength), executor_.on_host(b_.distance),
+                                   params_.cd.depth_guard_px};
+    merging_.merge(landscape, MergeCriteria{params_.cd.rise_deg, params_.cd.fit_ratio}, noise_, regions_);
+    executor_.upload(std::as_const(regions_).view(), b_.root.view());
+    region_borders(executor_, b_.root.view(), b_.crease_edge.view());
   }
 
   void run_canny(float low, float high, typename Executor::template Image<std::uint8_t>& edge) {
@@ -144,7 +159,7 @@ class PipelineBody {
   void smooth_edges() {  // sections 3.3 and 4.2.2, eqs 7-10
     unite(executor_, b_.depth_edge.view(), b_.crease_edge.view(), b_.edge.view());
     morphology(executor_, params_.morphology, b_.edge.view(), b_.mask_a.view(), b_.mask_b.view());
-    if (params_.morphology.mode != MorphologyMode::none) thin(executor_, b_.edge.view(), b_.mask_a.view());
+    thin(executor_, b_.edge.view(), b_.mask_a.view());
     prune(executor_, params_.pruning, b_.edge.view(), {b_.mask_a.view(), b_.mask_b.view(), b_.mask_c.view()});
     edge_kind(executor_, params_.edge_kind, camera_, b_.depth.view(), b_.gx.view(), b_.gy.view(),
               b_.depth_edge.view(), b_.edge.view(), b_.code.view());
@@ -152,8 +167,9 @@ class PipelineBody {
 
   void label_regions(FrameResult& result) {  // section 3.3: closed whatever the edges do
     label_components(executor_, b_.depth.view(), b_.edge.view(), b_.root.view());
-    const int count = numbering_.number(executor_.on_host(b_.root), executor_.on_host(b_.depth), camera_,
-                                        params_.validation, result.labels.view(), result.rejected);
+    const int count =
+        numbering_.number(executor_.on_host(b_.root), executor_.on_host(b_.depth), executor_.on_host(b_.filled), camera_,
+                          params_.validation, result.labels.view(), result.rejected);
     executor_.upload(std::as_const(result.labels).view(), b_.label.view());
     give_back_pixels(executor_, params_.dd.jump_ratio, params_.dd.noise_sigmas, noise_, b_.depth.view(),
                      b_.label.view(), b_.mask_a.view(), b_.owner.view());
@@ -192,6 +208,8 @@ class PipelineBody {
   Camera camera_;
   Buffers<Executor> b_;
   TemporalHistory<Executor> history_;
+  Image<std::int32_t> regions_;
+  BasinMerging merging_;
   RegionNumbering numbering_;
   RegionPixels pixels_;
 };

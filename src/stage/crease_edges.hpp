@@ -22,11 +22,19 @@ enum class CreaseAngle {
   atan,   ///< eq. 6 as printed: opposite gradients fold onto each other
 };
 
+enum class CreaseClosure {
+  basins,  ///< watershed of the strength, then merging across weak borders: closed lines
+  canny,   ///< the paper: non-maximum suppression and hysteresis; lines may have gaps
+};
+
 struct CreaseParams {
   CreaseMode mode = CreaseMode::normals;
   CreaseAngle angle = CreaseAngle::atan2;  ///< paper mode only
   bool weighted = true;       ///< paper mode: damp directions whose gradient is below its own noise
   int radius_px = 4;          ///< normals: half side of the fit window [px], 1..16
+  CreaseClosure closure = CreaseClosure::basins;  ///< basins needs mode normals
+  float rise_deg = 10.0f;     ///< basins: least rise of a border above the strength on both sides [deg], 0..180
+  float fit_ratio = 10.0f;    ///< basins: least gain of two planes over one, in units of the noise (F ratio), 0..1000
   float high_deg = 25.0f;     ///< upper threshold on the change of direction across the pixel [deg], 0..180
   float low_deg = 12.0f;      ///< lower threshold [deg], 0..180
   int depth_guard_px = 3;     ///< no crease within this distance of a depth edge [px], 0..16

@@ -81,8 +81,19 @@ struct FillRimOp {
   }
 };
 
+/// A window mean offered as filling, and how far it is from the neighbour that offers it. Nearer is better, of
+/// equally near ones the farther depth.
+struct FillOffer {
+  float mean_m = 0, distance_m = 1e30f;
+
+  FACET_HD void take_better(const FillOffer& other) {
+    const bool better = other.distance_m < distance_m || (other.distance_m == distance_m && other.mean_m > mean_m);
+    if (better) *this = other;
+  }
+};
+
 /// What fills one pixel of a hole: among all measured neighbours b that are no rim and all nine 3x3 windows that
-/// contain b, the window mean nearest to b; of equally near ones the farther. 0 = no such neighbour yet.
+/// contain b, the window mean nearest to b. 0 = no such neighbour yet.
 struct FillCandidate {
   ImageView<const float> depth_m;
   ImageView<const std::uint8_t> rim;
@@ -100,23 +111,24 @@ struct FillCandidate {
       }
     return sum / n;
   }
+  /// The best window of the source (x, y), whose depth is b_m.
+  FACET_HD FillOffer offer(int x, int y, float b_m) const {
+    FillOffer best;
+    for (int wy = y - 1; wy <= y + 1; ++wy)
+      for (int wx = x - 1; wx <= x + 1; ++wx) {
+        const float mean = window_mean(wx, wy);
+        best.take_better({mean, mean > b_m ? mean - b_m : b_m - mean});
+      }
+    return best;
+  }
   FACET_HD float operator()(int x, int y) const {
-    float best = 0, best_distance = 1e30f;
+    FillOffer best;
     for (int i = 0; i < 8; ++i) {
       const int bx = x + neighbour8(i).dx, by = y + neighbour8(i).dy;
       const float b = source(bx, by);
-      if (!(b > 0)) continue;
-      for (int wy = by - 1; wy <= by + 1; ++wy)
-        for (int wx = bx - 1; wx <= bx + 1; ++wx) {
-          const float mean = window_mean(wx, wy);
-          const float distance = mean > b ? mean - b : b - mean;
-          if (distance < best_distance || (distance == best_distance && mean > best)) {
-            best = mean;
-            best_distance = distance;
-          }
-        }
+      if (b > 0) best.take_better(offer(bx, by, b));
     }
-    return best;
+    return best.mean_m;
   }
 };
 

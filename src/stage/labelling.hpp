@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "core/atomic.hpp"
 #include "core/image_view.hpp"
+#include "core/pixel_forest.hpp"
 
 namespace facet {
 
@@ -20,32 +20,10 @@ struct InitComponentsOp {
   }
 };
 
-/// Union-find over raster indices stored in an image; roots point to themselves.
-struct ComponentForest {
-  ImageView<std::int32_t> root;
-
-  FACET_HD std::int32_t* cell(int i) const { return &root(i % root.width, i / root.width); }
-  FACET_HD int find(int i) const {
-    while (*cell(i) != i) i = *cell(i);
-    return i;
-  }
-  /// Hangs the later root below the earlier one, so that a component ends up named by its first pixel.
-  FACET_HD void unite(int a, int b) const {
-    while (true) {
-      a = find(a);
-      b = find(b);
-      if (a == b) return;
-      const int low = a < b ? a : b, high = a < b ? b : a;
-      if (fetch_min(cell(high), low) == high) return;
-      a = low, b = high;  // someone moved it meanwhile: again with what stands there now
-    }
-  }
-};
-
 /// Joins each pixel with its left and its upper neighbour.
 struct MergeComponentsOp {
   static constexpr int radius = 0;
-  ComponentForest forest;
+  PixelForest forest;
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
@@ -56,17 +34,6 @@ struct MergeComponentsOp {
   }
 };
 
-/// Writes each pixel's root into it.
-struct FlattenComponentsOp {
-  static constexpr int radius = 0;
-  ComponentForest forest;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
-    if (forest.root(x, y) >= 0) forest.root(x, y) = forest.find(y * forest.root.width + x);
-  }
-};
-
 /// 4-connected components of the measured pixels off the 8-connected edge map: whatever the edges do, these regions
 /// are closed. `root` receives the raster index of the component's first pixel, -1 on edges and holes.
 template <class Executor>
@@ -74,7 +41,7 @@ void label_components(Executor& executor, ImageView<const float> depth_m, ImageV
                       ImageView<std::int32_t> root) {
   executor.for_each_pixel(root.size(), InitComponentsOp{depth_m, edge, root});
   executor.for_each_pixel(root.size(), MergeComponentsOp{{root}});
-  executor.for_each_pixel(root.size(), FlattenComponentsOp{{root}});
+  executor.for_each_pixel(root.size(), FlattenForestOp{{root}});
 }
 
 }  // namespace facet

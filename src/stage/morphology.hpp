@@ -8,14 +8,14 @@
 namespace facet {
 
 enum class MorphologyMode {
-  region,  ///< bridge gaps, later drop regions that are too small
+  none,    ///< leave the edges as they are
+  bridge,  ///< dilate, so that gaps close
   paper,   ///< eqs 7-9: difference of two openings of the dilated contours
-  none,
 };
 
 struct MorphologyParams {
-  MorphologyMode mode = MorphologyMode::region;
-  int bridge_px = 1;           ///< dilation that bridges gaps before thinning [px], 0..5
+  MorphologyMode mode = MorphologyMode::none;
+  int bridge_px = 1;           ///< bridge: dilation that closes gaps before thinning [px], 0..5
   int small_element_px = 3;    ///< paper: side of B2, odd [px], 3..31
   int large_element_px = 11;   ///< paper: side of B1, odd [px], 3..63
 };
@@ -81,7 +81,7 @@ void open_square(Executor& executor, int side_px, ImageView<std::uint8_t>& mask,
   square_steps<true>(executor, side_px / 2, mask, scratch);
 }
 
-/// Smooths the edge mask `edge` in place; it is to be thinned afterwards. `region` mode dilates, so that gaps of up
+/// Smooths the edge mask `edge` in place; it is to be thinned afterwards. `bridge` mode dilates, so that gaps of up
 /// to 2 bridge_px close. `paper` mode is the band-pass of eqs 7-9 on the dilated contours, opening by B2 less
 /// opening by B1: it keeps what is at least B2 and less than B1 thick (undilated lines would vanish in both).
 template <class Executor>
@@ -90,7 +90,7 @@ void morphology(Executor& executor, const MorphologyParams& params, ImageView<st
   if (params.mode == MorphologyMode::none) return;
   ImageView<std::uint8_t> fine = scratch_a, spare = scratch_b;
   executor.copy(ImageView<const std::uint8_t>(edge), fine);
-  if (params.mode == MorphologyMode::region) {
+  if (params.mode == MorphologyMode::bridge) {
     square_steps<true>(executor, params.bridge_px, fine, spare);
     executor.copy(ImageView<const std::uint8_t>(fine), edge);
     return;

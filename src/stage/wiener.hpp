@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "core/depth_noise.hpp"
 #include "core/image_view.hpp"
@@ -27,12 +28,11 @@ struct WienerParams {
 /// Mean and variance of the valid pixels in a (2 Radius + 1)^2 window, the variance about the local mean (two
 /// passes: no cancellation at 4 m) or, detrended, about the window's least-squares plane. A pixel that is missing
 /// or has fewer than five valid neighbours gets variance -1: it passes through unfiltered.
-template <int Radius>
+template <int Radius, bool detrend>
 struct WienerStatisticsOp {
   static constexpr int radius = Radius;
   static constexpr int min_valid = 5;
   ImageView<const float> depth_m;
-  bool detrend;
   ImageView<float> mean_m, variance_m2;
 
   template <class Access>
@@ -112,10 +112,16 @@ template <class Executor>
 void wiener(Executor& executor, const WienerParams& params, const DepthNoise& sensor, ImageView<const float> depth_m,
             ImageView<float> mean_m, ImageView<float> variance_m2, ImageView<float> out) {
   const Size size = depth_m.size();
+  const auto statistics = [&](auto radius) {
+    if (params.detrend)
+      executor.for_each_pixel(size, WienerStatisticsOp<radius(), true>{depth_m, mean_m, variance_m2});
+    else
+      executor.for_each_pixel(size, WienerStatisticsOp<radius(), false>{depth_m, mean_m, variance_m2});
+  };
   switch (params.window_px / 2) {
-    case 1: executor.for_each_pixel(size, WienerStatisticsOp<1>{depth_m, params.detrend, mean_m, variance_m2}); break;
-    case 2: executor.for_each_pixel(size, WienerStatisticsOp<2>{depth_m, params.detrend, mean_m, variance_m2}); break;
-    default: executor.for_each_pixel(size, WienerStatisticsOp<3>{depth_m, params.detrend, mean_m, variance_m2}); break;
+    case 1: statistics(std::integral_constant<int, 1>{}); break;
+    case 2: statistics(std::integral_constant<int, 2>{}); break;
+    default: statistics(std::integral_constant<int, 3>{}); break;
   }
   float noise_m2 = 0;
   if (params.noise == WienerNoise::mean) {

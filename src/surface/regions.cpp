@@ -5,7 +5,8 @@
 
 namespace facet {
 
-void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m) {
+void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
+                              ImageView<const std::uint8_t> filled) {
   components_.clear();
   component_at_.assign(static_cast<std::size_t>(root.size().area()), -1);
   for (int y = 0; y < root.height; ++y)
@@ -15,31 +16,40 @@ void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<cons
       std::int32_t& index = component_at_[static_cast<std::size_t>(first)];
       if (index < 0) {
         index = static_cast<std::int32_t>(components_.size());
-        components_.push_back({first, 0, 0});
+        components_.push_back({first, 0, 0, 0});
       }
       Component& component = components_[static_cast<std::size_t>(index)];
       ++component.area_px;
+      component.filled_px += filled(x, y);
       component.depth_sum_m += depth_m(x, y);
     }
 }
 
-int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const float> depth_m, const Camera& camera,
+std::string_view RegionNumbering::reason_to_drop(const Component& c, const Camera& camera,
+                                                 const ValidationParams& validation) const {
+  const auto mean_depth_m = static_cast<float>(c.depth_sum_m / c.area_px);
+  if (static_cast<float>(c.area_px) < least_area_px(validation, camera, mean_depth_m)) return reject_reason::too_small;
+  const float measured = static_cast<float>(c.area_px - c.filled_px) / static_cast<float>(c.area_px);
+  if (validation.enabled && measured < validation.min_valid_share) return reject_reason::missing_depth;
+  return {};
+}
+
+int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
+                            ImageView<const std::uint8_t> filled, const Camera& camera,
                             const ValidationParams& validation, ImageView<std::uint16_t> labels,
                             std::vector<RejectedRegion>& rejected) {
-  collect(root, depth_m);
+  collect(root, depth_m, filled);
   constexpr int most = std::numeric_limits<std::uint16_t>::max();
   int count = 0;
   label_.assign(components_.size(), 0);
   for (std::size_t i = 0; i < components_.size(); ++i) {
     const Component& c = components_[i];
-    const auto mean_depth_m = static_cast<float>(c.depth_sum_m / c.area_px);
-    const bool large = static_cast<float>(c.area_px) >= least_area_px(validation, camera, mean_depth_m);
-    if (large && count < most)
+    std::string_view reason = reason_to_drop(c, camera, validation);
+    if (reason.empty() && count == most) reason = reject_reason::too_many;
+    if (reason.empty())
       label_[i] = static_cast<std::uint16_t>(++count);
     else
-      rejected.push_back({{c.first % root.width, c.first / root.width},
-                          c.area_px,
-                          std::string(large ? reject_reason::too_many : reject_reason::too_small)});
+      rejected.push_back({{c.first % root.width, c.first / root.width}, c.area_px, std::string(reason)});
   }
   for (int y = 0; y < root.height; ++y)
     for (int x = 0; x < root.width; ++x) {

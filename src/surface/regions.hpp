@@ -11,23 +11,27 @@
 
 namespace facet {
 
-/// Numbers the components that are large enough to be surfaces, in raster order of their first pixels; drops the
-/// others with a reason. Keeps its memory between frames.
+/// Numbers the components that may be surfaces, in raster order of their first pixels; drops those that are too
+/// small or mostly made-up depth, with a reason, so that their pixels can go to the surfaces around them. Keeps its memory between frames.
 class RegionNumbering {
  public:
   /// root: raster index of each pixel's component, -1 = none. Writes labels (0 = none); appends to `rejected`.
   /// Returns the number of labels.
-  int number(ImageView<const std::int32_t> root, ImageView<const float> depth_m, const Camera& camera,
-             const ValidationParams& validation, ImageView<std::uint16_t> labels,
-             std::vector<RejectedRegion>& rejected);
+  int number(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
+             ImageView<const std::uint8_t> filled, const Camera& camera, const ValidationParams& validation,
+             ImageView<std::uint16_t> labels, std::vector<RejectedRegion>& rejected);
 
  private:
   struct Component {
     int first = 0;  ///< raster index
     int area_px = 0;
+    int filled_px = 0;
     double depth_sum_m = 0;
   };
-  void collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m);
+  void collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
+               ImageView<const std::uint8_t> filled);
+  std::string_view reason_to_drop(const Component& component, const Camera& camera,
+                                  const ValidationParams& validation) const;
 
   std::vector<Component> components_;
   std::vector<std::int32_t> component_at_;   ///< by raster index of the first pixel

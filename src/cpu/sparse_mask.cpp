@@ -1,0 +1,38 @@
+#include "cpu/sparse_mask.hpp"
+
+#include <cstring>
+
+#include "core/neighbours.hpp"
+
+namespace facet {
+
+void SparseMask::assign(ImageView<const std::uint8_t> mask, std::vector<int>& pixels) {
+  pitch_ = mask.width + 2;
+  for (int i = 0; i < 8; ++i) offsets_[i] = neighbour8(i).dy * pitch_ + neighbour8(i).dx;
+  const auto count = static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(mask.height + 2);
+  set_.assign(count, 0);
+  code_.assign(count, 0);
+  flags_.assign(count, 0);
+  pixels.clear();
+  const auto add = [&](int x, int y) {
+    const int pixel = (y + 1) * pitch_ + x + 1;
+    set_[static_cast<std::size_t>(pixel)] = 1;
+    pixels.push_back(pixel);
+    for (int i = 0; i < 8; ++i)
+      code_[static_cast<std::size_t>(pixel + offsets_[i])] |= static_cast<std::uint8_t>(1u << opposite(i));
+  };
+  for (int y = 0; y < mask.height; ++y) {
+    const std::uint8_t* row = mask.row(y);
+    int x = 0;
+    for (; x + 8 <= mask.width; x += 8) {
+      std::uint64_t word;
+      std::memcpy(&word, row + x, sizeof word);
+      for (int i = x; word != 0 && i < x + 8; ++i)
+        if (row[i]) add(i, y);
+    }
+    for (; x < mask.width; ++x)
+      if (row[x]) add(x, y);
+  }
+}
+
+}  // namespace facet

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "core/image_view.hpp"
+#include "core/neighbours.hpp"
+
+namespace facet {
+
+/// Raster indices of the pixels set in a sparse mask, in raster order.
+inline void list_set_pixels(ImageView<const std::uint8_t> mask, std::vector<int>& list) {
+  list.clear();
+  for (int y = 0; y < mask.height; ++y) {
+    const std::uint8_t* row = mask.row(y);
+    int x = 0;
+    for (; x + 8 <= mask.width; x += 8) {
+      std::uint64_t word;
+      std::memcpy(&word, row + x, sizeof word);
+      if (word == 0) continue;
+      for (int i = x; i < x + 8; ++i)
+        if (row[i]) list.push_back(y * mask.width + i);
+    }
+    for (; x < mask.width; ++x)
+      if (row[x]) list.push_back(y * mask.width + x);
+  }
+}
+
+/// visit(x, y) for every set 8-neighbour of the pixel with raster index i.
+template <class Visit>
+void for_each_set_neighbour(ImageView<const std::uint8_t> mask, int i, const Visit& visit) {
+  const int x = i % mask.width, y = i / mask.width;
+  for (int k = 0; k < 8; ++k) {
+    const int nx = x + neighbour8(k).dx, ny = y + neighbour8(k).dy;
+    if (mask.size().contains(nx, ny) && mask(nx, ny)) visit(nx, ny);
+  }
+}
+
+}  // namespace facet

@@ -1,0 +1,84 @@
+#include "cpu/tuned/labelling.hpp"
+
+#include <algorithm>
+
+namespace facet {
+namespace {
+
+/// Runs of region pixels, row by row: start and end column, and the parent run in a union-find forest. Runs are
+/// numbered in raster order, so the smallest run of a set holds its first pixel.
+class RunForest {
+ public:
+  RunForest(std::vector<int>& begin, std::vector<int>& end, std::vector<int>& parent)
+      : begin_(begin), end_(end), parent_(parent) {
+    begin_.clear(), end_.clear(), parent_.clear();
+  }
+  int count() const { return static_cast<int>(begin_.size()); }
+  int begin(int run) const { return begin_[static_cast<std::size_t>(run)]; }
+  int end(int run) const { return end_[static_cast<std::size_t>(run)]; }
+  void add(int begin, int end) {
+    begin_.push_back(begin);
+    end_.push_back(end);
+    parent_.push_back(count() - 1);
+  }
+  int find(int run) {
+    auto at = [this](int i) -> int& { return parent_[static_cast<std::size_t>(i)]; };
+    while (at(run) != run) run = at(run) = at(at(run));
+    return run;
+  }
+  void unite(int a, int b) {
+    a = find(a), b = find(b);
+    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int>&begin_, &end_, &parent_;
+};
+
+void add_runs(const float* depth_m, const std::uint8_t* edge, int width, RunForest& runs) {
+  int x = 0;
+  while (x < width) {
+    while (x < width && !(depth_m[x] > 0 && !edge[x])) ++x;
+    const int begin = x;
+    while (x < width && depth_m[x] > 0 && !edge[x]) ++x;
+    if (x > begin) runs.add(begin, x);
+  }
+}
+
+/// Joins runs of two neighbouring rows, [above, row) and [row, end), that share a column.
+void join_rows(RunForest& runs, int above, int row) {
+  const int end = runs.count();
+  int a = above;
+  for (int r = row; r < end; ++r) {
+    while (a < row && runs.end(a) <= runs.begin(r)) ++a;
+    for (int k = a; k < row && runs.begin(k) < runs.end(r); ++k) runs.unite(k, r);
+  }
+}
+
+}  // namespace
+
+void label_components(CpuExecutor& executor, ImageView<const float> depth_m, ImageView<const std::uint8_t> edge,
+                      ImageView<std::int32_t> root) {
+  CpuScratch& scratch = executor.scratch();
+  RunForest runs(scratch.list_a, scratch.list_b, scratch.list_c);
+  std::vector<int>& row_starts = scratch.row_starts;
+  row_starts.assign(1, 0);
+  for (int y = 0; y < root.height; ++y) {
+    add_runs(depth_m.row(y), edge.row(y), root.width, runs);
+    if (y > 0) join_rows(runs, row_starts[static_cast<std::size_t>(y) - 1], row_starts.back());
+    row_starts.push_back(runs.count());
+  }
+  // Raster index of the first pixel of every run's set; sets are named by their first run.
+  std::vector<int>& name = scratch.names;
+  name.resize(static_cast<std::size_t>(runs.count()));
+  for (int y = 0; y < root.height; ++y) {
+    std::fill_n(root.row(y), root.width, -1);
+    for (int r = row_starts[static_cast<std::size_t>(y)]; r < row_starts[static_cast<std::size_t>(y) + 1]; ++r) {
+      const int first = runs.find(r);
+      if (first == r) name[static_cast<std::size_t>(r)] = y * root.width + runs.begin(r);
+      std::fill(root.row(y) + runs.begin(r), root.row(y) + runs.end(r), name[static_cast<std::size_t>(first)]);
+    }
+  }
+}
+
+}  // namespace facet
