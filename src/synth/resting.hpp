@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "synth/draws.hpp"
+#include "synth/scene.hpp"
+
+namespace facet {
+
+/// Puts `object` (resting at z = 0 about the origin) on the flat top of `below`, its middle over the inner
+/// part of that top, so that it cannot tip over. False where `below` has no flat level top, or too small a
+/// one.
+bool stand_on(const SceneObject& below, SceneObject& object, Draws& draws);
+
+/// A board of random size whose lower edge stands on the table and whose face leans against the upper edge of
+/// an upright box that stands on the table; nothing where `box` is none.
+std::optional<SceneObject> leaning_board(const SceneObject& box, double scale, Draws& draws);
+
+}  // namespace facet
