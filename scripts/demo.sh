@@ -8,5 +8,4 @@ cmake --preset release
 cmake --build --preset release --target facet
 build/release/facet run configs/quickstart.yaml
 
-echo
-echo "Report: $PWD/results/quickstart/latest/report/report.html"
+echo "open: file://$PWD/results/quickstart/latest/report/report.html"

@@ -22,6 +22,7 @@ status=0
 ctest --test-dir build/release --label-regex "$labels" --no-tests=error --parallel "$(nproc)" \
   --output-on-failure --output-junit "$junit" || status=$?
 [ -n "${FACET_DATA:-}" ] || echo "FACET_DATA is not set: the tests on recorded frames are skipped."
+sed --quiet '/\.[hc]pp:[0-9]*: Skipped$/{n;s/^/skipped: /p}' "$junit" | sort | uniq --count
 
 # A test whose program is missing is "notrun" in the file as well, but it has failed: only what asked to be skipped
 # counts as skipped.
