@@ -55,6 +55,7 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("cd.weighted", p.cd.weighted, FieldInfo{"", 0, 0, "paper: damp directions below their own noise"});
   visit("cd.radius_px", p.cd.radius_px, FieldInfo{"px", 1, 16, "normals: half side of the fit window"});
   visit("cd.closure", p.cd.closure, FieldInfo{"", 0, 0, "closed lines between basins, or the paper's Canny"});
+  visit("cd.floor_deg", p.cd.floor_deg, FieldInfo{"deg", 0, 180, "basins: smaller changes are noise of the fits"});
   visit("cd.rise_deg", p.cd.rise_deg, FieldInfo{"deg", 0, 180, "basins: least rise of a border over its sides"});
   visit("cd.fit_ratio", p.cd.fit_ratio, FieldInfo{"", 0, 1000, "basins: least F ratio of two planes over one"});
   visit("cd.high_deg", p.cd.high_deg, FieldInfo{"deg", 0, 180, "upper threshold on the change of direction"});

@@ -134,17 +134,23 @@ class PipelineBody {
 
   void trace_creases() {  // section 4.2.1
     if (params_.cd.closure == CreaseClosure::basins) return trace_basins();
-    const bool chord = params_.cd.mode == CreaseMode::normals;
-    const auto threshold = [chord](float deg) { return chord ? 2 * std::sin(deg / 2 / degrees_per_radian) : deg; };
-    run_canny(threshold(params_.cd.low_deg), threshold(params_.cd.high_deg), b_.crease_edge);
+    run_canny(crease_strength_of(params_.cd.low_deg), crease_strength_of(params_.cd.high_deg), b_.crease_edge);
+  }
+
+  /// Strength for an angle: fitted normals are compared by their chord, directions by degrees.
+  float crease_strength_of(float deg) const {
+    return params_.cd.mode == CreaseMode::normals ? 2 * std::sin(deg / 2 / degrees_per_radian) : deg;
   }
 
   /// Closed creases: the borders that are left between the basins of the crease strength after merging.
   void trace_basins() {
-    const CreaseHeight height{b_.strength.view(), b_.distance.view(), params_.cd.depth_guard_px};
+    const CreaseHeight height{b_.strength.view(), b_.distance.view(), params_.cd.depth_guard_px,
+                              crease_strength_of(params_.cd.floor_deg)};
+    mark_off_floor(executor_, height, b_.mask_a.view());
+    label_components(executor_, b_.depth.view(), b_.mask_a.view(), b_.root.view());
     crease_basins(executor_, height, b_.root.view());
-    const BasinLandscape landscape{executor_.on_host(b_.root), executor_.on_host(b_.depth),
-                                   executor_.on_host(b_.strength), executor_.on_host(b_.distance),
+    const BasinLandscape landscape{executor_.on_host(b_.root), executor_.on_host(b_.inverse_depth),
+                                   1 / double{InverseDepthOp::units_per_inverse_metre}, executor_.on_host(b_.strength), executor_.on_host(b_.distance),
                                    params_.cd.depth_guard_px};
     merging_.merge(landscape, MergeCriteria{params_.cd.rise_deg, params_.cd.fit_ratio}, noise_, regions_);
     executor_.upload(std::as_const(regions_).view(), b_.root.view());

@@ -11,36 +11,47 @@ namespace facet {
 /// Height of the landscape that water runs down: the crease strength where it is known; where a depth edge is too
 /// near for it, above every known strength and falling away from the edge, so that such pixels are reached last and
 /// from the inside. Barriers (depth edges, missing pixels) are infinitely high.
+/// What lies below the floor, the noise of the fits, is level ground.
 struct CreaseHeight {
   static constexpr float unknown = 4.0f;  ///< above the largest chord, 2
   static constexpr float barrier = 1e9f;
   ImageView<const float> strength;
   ImageView<const std::uint8_t> distance_px;
   int guard_px;
+  float floor;
 
-  FACET_HD bool known(int x, int y) const { return distance_px(x, y) > guard_px; }
   FACET_HD float operator()(int x, int y) const {
     const int distance = distance_px(x, y);
     if (distance == 0) return barrier;
-    return distance > guard_px ? strength(x, y) : unknown + static_cast<float>(guard_px - distance);
+    if (distance <= guard_px) return unknown + static_cast<float>(guard_px - distance);
+    return strength(x, y) > floor ? strength(x, y) : 0.0f;
   }
 };
 
-/// Points every pixel at the lowest of its 4-neighbours if that is lower (of equal heights, the earlier pixel is
-/// lower), so that following the pointers ends in a local minimum. -1 on barriers.
+/// Level ground, the bottom of the large basins: 1 off it, 0 on it, which makes its connected parts regions.
+struct OffFloorOp {
+  static constexpr int radius = 0;
+  CreaseHeight height;
+  ImageView<std::uint8_t> off_floor;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    off_floor(x, y) = height(x, y) > 0;
+  }
+};
+
+/// Points every pixel off the floor at the lowest of its 4-neighbours if that is lower (of equal heights, the earlier
+/// pixel is lower), so that following the pointers ends in a local minimum or on the floor. -1 on barriers.
 struct DescendOp {
   static constexpr int radius = 0;
   CreaseHeight height;
-  ImageView<std::int32_t> next;
+  ImageView<std::int32_t> next;  ///< holds the floor's regions already, -1 off the floor
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
     float lowest = height(x, y);
+    if (!(lowest > 0) || lowest >= CreaseHeight::barrier) return;
     std::int32_t target = y * next.width + x;
-    if (lowest >= CreaseHeight::barrier) {
-      next(x, y) = -1;
-      return;
-    }
     for (int i = 0; i < 8; i += 2) {
       const int nx = x + neighbour8(i).dx, ny = y + neighbour8(i).dy;
       if (!next.size().contains(nx, ny)) continue;
@@ -52,13 +63,19 @@ struct DescendOp {
   }
 };
 
-/// Catchment basins of the crease strength (a watershed by steepest descent: every pixel on its own, then pointer
-/// chasing). `root` receives the raster index of the basin's minimum, -1 on barriers. Basins meet on the ridges, so
-/// the lines between them are closed, which Canny's are not.
+/// Catchment basins of the crease strength: a watershed by steepest descent, every pixel on its own, then pointer
+/// chasing. `root` holds, on entry, the connected parts of the floor as label_components names them (-1 elsewhere)
+/// and receives the raster index that names each pixel's basin, -1 on barriers. Basins meet on the ridges, so the
+/// lines between them are closed, which Canny's are not.
 template <class Executor>
 void crease_basins(Executor& executor, const CreaseHeight& height, ImageView<std::int32_t> root) {
   executor.for_each_pixel(root.size(), DescendOp{height, root});
   executor.for_each_pixel(root.size(), FlattenForestOp{{root}});
+}
+
+template <class Executor>
+void mark_off_floor(Executor& executor, const CreaseHeight& height, ImageView<std::uint8_t> off_floor) {
+  executor.for_each_pixel(off_floor.size(), OffFloorOp{height, off_floor});
 }
 
 /// Marks, of every two 4-neighbours in different regions, the upper or left one: a closed line.

@@ -33,6 +33,7 @@ struct CreaseParams {
   bool weighted = true;       ///< paper mode: damp directions whose gradient is below its own noise
   int radius_px = 4;          ///< normals: half side of the fit window [px], 1..16
   CreaseClosure closure = CreaseClosure::basins;  ///< basins needs mode normals
+  float floor_deg = 5.0f;     ///< basins: change of direction below this is noise of the fits [deg], 0..180
   float rise_deg = 10.0f;     ///< basins: least rise of a border above the strength on both sides [deg], 0..180
   float fit_ratio = 10.0f;    ///< basins: least gain of two planes over one, in units of the noise (F ratio), 0..1000
   float high_deg = 25.0f;     ///< upper threshold on the change of direction across the pixel [deg], 0..180

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
-
-#include <Eigen/Dense>
 
 namespace facet {
 namespace {
@@ -40,39 +39,16 @@ double PlaneMoments::residual() const {
   return std::max(0.0, sqq - a * sxq - b * syq);
 }
 
-bool BasinMerging::Candidate::operator<(const Candidate& other) const {
-  return std::tie(rise, a, b) > std::tie(other.rise, other.a, other.b);
-}
-
 int BasinMerging::find(int i) {
   auto at = [&](int k) -> int& { return basins_[static_cast<std::size_t>(k)].parent; };
   while (at(i) != i) i = at(i) = at(at(i));
   return i;
 }
 
-void BasinMerging::add_border_pair(const BasinLandscape& l, int a, int b, int x0, int y0, int x1, int y1) {
-  auto& of_a = basins_[static_cast<std::size_t>(a)].border_with;
-  const auto [place, is_new] = of_a.try_emplace(b, static_cast<int>(borders_.size()));
-  if (is_new) {
-    borders_.emplace_back();
-    basins_[static_cast<std::size_t>(b)].border_with.emplace(a, place->second);
-  }
-  Border& border = borders_[static_cast<std::size_t>(place->second)];
-  ++border.length_px;
-  if (l.distance_px(x0, y0) <= l.guard_px || l.distance_px(x1, y1) <= l.guard_px) return;
-  border.strength_sum += std::max(l.strength(x0, y0), l.strength(x1, y1));
-  border.strength_count += 1;
-}
-
-void BasinMerging::collect(const BasinLandscape& l) {
+void BasinMerging::collect_basins(const BasinLandscape& l) {
   const int width = l.basin.width, height = l.basin.height;
   basins_.clear();
-  borders_.clear();
   index_.assign(static_cast<std::size_t>(l.basin.size().area()), -1);
-  const auto index_at = [&](int x, int y) {
-    const std::int32_t name = l.basin(x, y);
-    return name < 0 ? -1 : index_[static_cast<std::size_t>(name)];
-  };
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const std::int32_t name = l.basin(x, y);
@@ -80,105 +56,109 @@ void BasinMerging::collect(const BasinLandscape& l) {
       std::int32_t& index = index_[static_cast<std::size_t>(name)];
       if (index < 0) {
         index = static_cast<std::int32_t>(basins_.size());
-        basins_.emplace_back();
-        basins_.back().parent = index;
-        basins_.back().name = name;
+        basins_.push_back({index, name, 0, 0, 0, {}});
       }
       Basin& basin = basins_[static_cast<std::size_t>(index)];
-      basin.moments.add(x - 0.5 * width, y - 0.5 * height, 1.0 / l.depth_m(x, y));
+      basin.moments.add(x - 0.5 * width, y - 0.5 * height, l.inverse_depth_unit * l.inverse_depth(x, y));
       if (l.distance_px(x, y) <= l.guard_px) continue;
       basin.strength_sum += l.strength(x, y);
       basin.strength_count += 1;
     }
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const int own = index_at(x, y);
-      if (own < 0) continue;
-      const int right = x + 1 < width ? index_at(x + 1, y) : -1, below = y + 1 < height ? index_at(x, y + 1) : -1;
-      if (right >= 0 && right != own) add_border_pair(l, own, right, x, y, x + 1, y);
-      if (below >= 0 && below != own) add_border_pair(l, own, below, x, y, x, y + 1);
+}
+
+void BasinMerging::collect_borders(const BasinLandscape& l) {
+  borders_.clear();
+  const auto add_pair = [&](int x0, int y0, int x1, int y1) {
+    const std::int32_t here = l.basin(x0, y0), there = l.basin(x1, y1);
+    if (here == there || here < 0 || there < 0) return;
+    const int a = index_[static_cast<std::size_t>(here)], b = index_[static_cast<std::size_t>(there)];
+    const bool known = l.distance_px(x0, y0) > l.guard_px && l.distance_px(x1, y1) > l.guard_px;
+    const float strength = known ? std::max(l.strength(x0, y0), l.strength(x1, y1)) : 0.0f;
+    borders_.push_back({std::min(a, b), std::max(a, b), strength, known ? 1.0f : 0.0f, 0});
+  };
+  for (int y = 0; y < l.basin.height; ++y)
+    for (int x = 0; x < l.basin.width; ++x) {
+      if (x + 1 < l.basin.width) add_pair(x, y, x + 1, y);
+      if (y + 1 < l.basin.height) add_pair(x, y, x, y + 1);
     }
 }
 
-float BasinMerging::rise_of(int a, int b, const Border& border) const {
+/// Names the sides of every border by their present regions and joins borders between the same two.
+void BasinMerging::aggregate_borders() {
+  for (Border& border : borders_) {
+    const int a = find(border.a), b = find(border.b);
+    border.a = std::min(a, b), border.b = std::max(a, b);
+  }
+  // Stable: the sums are floats, their order must not depend on the sort.
+  std::stable_sort(borders_.begin(), borders_.end(),
+                   [](const Border& l, const Border& r) { return std::tie(l.a, l.b) < std::tie(r.a, r.b); });
+  std::size_t kept = 0;
+  for (const Border& border : borders_) {
+    if (border.a == border.b) continue;
+    if (kept > 0 && borders_[kept - 1].a == border.a && borders_[kept - 1].b == border.b) {
+      borders_[kept - 1].strength_sum += border.strength_sum;
+      borders_[kept - 1].strength_count += border.strength_count;
+    } else {
+      borders_[kept++] = border;
+    }
+  }
+  borders_.resize(kept);
+}
+
+float BasinMerging::rise_of(const Border& border) const {
   if (border.strength_count < min_known_border_px) return 0;
   const auto inside = [&](int i) {
     const Basin& basin = basins_[static_cast<std::size_t>(i)];
-    return basin.strength_count > 0 ? basin.strength_sum / basin.strength_count : 0.0;
+    return basin.strength_count > 0 ? static_cast<float>(basin.strength_sum / basin.strength_count) : 0.0f;
   };
-  return static_cast<float>(border.strength_sum / border.strength_count - std::max(inside(a), inside(b)));
+  return border.strength_sum / border.strength_count - std::max(inside(border.a), inside(border.b));
 }
 
-void BasinMerging::consider(int a, int b) {
-  if (a > b) std::swap(a, b);
-  const Basin& first = basins_[static_cast<std::size_t>(a)];
-  const Basin& second = basins_[static_cast<std::size_t>(b)];
-  const Border& border = borders_[static_cast<std::size_t>(first.border_with.at(b))];
-  queue_.push({rise_of(a, b, border), a, b, first.version, second.version});
-}
-
-bool BasinMerging::is_crease(const Candidate& c) {
-  const Basin& a = basins_[static_cast<std::size_t>(c.a)];
-  const Basin& b = basins_[static_cast<std::size_t>(c.b)];
-  const Border& border = borders_[static_cast<std::size_t>(a.border_with.at(c.b))];
+bool BasinMerging::is_crease(const Border& border) const {
   const float least_rise = 2 * std::sin(criteria_.rise_deg / 2 / 57.29578f);
   const bool known = border.strength_count >= min_known_border_px;
-  if (known && c.rise < least_rise) return false;
-  PlaneMoments both = a.moments;
-  both += b.moments;
-  const double gain = both.residual() - a.moments.residual() - b.moments.residual();
+  if (known && rise_of(border) < least_rise) return false;
+  const PlaneMoments& a = basins_[static_cast<std::size_t>(border.a)].moments;
+  const PlaneMoments& b = basins_[static_cast<std::size_t>(border.b)].moments;
+  PlaneMoments both = a;
+  both += b;
+  const double gain = both.residual() - a.residual() - b.residual();
   const double q = both.q / both.n;  // mean inverse depth; noise of q = noise of z times q^2
   const double sigma = noise_.sigma_m(static_cast<float>(1 / q)) * q * q;
   return gain / 3 / (sigma * sigma * pixels_per_reading) >= criteria_.fit_ratio;
 }
 
-void BasinMerging::unite(int a, int b) {
-  if (basins_[static_cast<std::size_t>(a)].border_with.size() < basins_[static_cast<std::size_t>(b)].border_with.size())
-    std::swap(a, b);
-  Basin& into = basins_[static_cast<std::size_t>(a)];
-  Basin& from = basins_[static_cast<std::size_t>(b)];
-  from.parent = a;
-  ++into.version;
-  into.name = std::min(into.name, from.name);
-  into.strength_sum += from.strength_sum;
-  into.strength_count += from.strength_count;
-  into.moments += from.moments;
-  into.border_with.erase(b);
-  from.border_with.erase(a);
-  for (const auto& [other, border] : from.border_with) {
-    auto& of_other = basins_[static_cast<std::size_t>(other)].border_with;
-    of_other.erase(b);
-    const auto [place, is_new] = into.border_with.try_emplace(other, border);
-    if (is_new) {
-      of_other.emplace(a, border);
-      continue;
-    }
-    Border& joined = borders_[static_cast<std::size_t>(place->second)];
-    const Border& added = borders_[static_cast<std::size_t>(border)];
-    joined.strength_sum += added.strength_sum;
-    joined.strength_count += added.strength_count;
-    joined.length_px += added.length_px;
+bool BasinMerging::merge_round() {
+  aggregate_borders();
+  for (Border& border : borders_) border.rise = rise_of(border);
+  std::sort(borders_.begin(), borders_.end(), [](const Border& l, const Border& r) {
+    return std::tie(l.rise, l.a, l.b) < std::tie(r.rise, r.a, r.b);
+  });
+  ++round_;
+  bool merged = false;
+  for (const Border& border : borders_) {
+    Basin& into = basins_[static_cast<std::size_t>(border.a)];
+    Basin& from = basins_[static_cast<std::size_t>(border.b)];
+    if (into.merged_in == round_ || from.merged_in == round_ || is_crease(border)) continue;
+    from.parent = border.a;
+    into.merged_in = from.merged_in = round_;
+    into.name = std::min(into.name, from.name);
+    into.strength_sum += from.strength_sum;
+    into.strength_count += from.strength_count;
+    into.moments += from.moments;
+    merged = true;
   }
-  from.border_with.clear();
-  for (const auto& [other, border] : into.border_with) consider(a, other);
+  return merged;
 }
 
 void BasinMerging::merge(const BasinLandscape& l, const MergeCriteria& criteria, const DepthNoise& noise,
                          Image<std::int32_t>& region) {
   criteria_ = criteria;
   noise_ = noise;
-  collect(l);
-  queue_ = {};
-  for (int i = 0; i < static_cast<int>(basins_.size()); ++i)
-    for (const auto& [other, border] : basins_[static_cast<std::size_t>(i)].border_with)
-      if (i < other) consider(i, other);
-  while (!queue_.empty()) {
-    const Candidate c = queue_.top();
-    queue_.pop();
-    const Basin& a = basins_[static_cast<std::size_t>(c.a)];
-    const Basin& b = basins_[static_cast<std::size_t>(c.b)];
-    const bool stale = a.parent != c.a || b.parent != c.b || a.version != c.version_a || b.version != c.version_b;
-    if (!stale && !is_crease(c)) unite(c.a, c.b);
+  round_ = 0;
+  collect_basins(l);
+  collect_borders(l);
+  while (merge_round()) {
   }
   region.resize(l.basin.size());
   for (int y = 0; y < l.basin.height; ++y)

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <queue>
-#include <unordered_map>
 #include <vector>
 
 #include "core/depth_noise.hpp"
@@ -24,7 +22,8 @@ struct PlaneMoments {
 /// The over-segmentation into basins and what it was made from.
 struct BasinLandscape {
   ImageView<const std::int32_t> basin;    ///< raster index naming the basin, -1 = none
-  ImageView<const float> depth_m;
+  ImageView<const std::int32_t> inverse_depth;  ///< fixed point, as stage/normals.hpp makes it; unit below
+  double inverse_depth_unit = 1;                ///< 1/m per step
   ImageView<const float> strength;        ///< crease strength, chord of the angle
   ImageView<const std::uint8_t> distance_px;
   int guard_px = 0;                       ///< strength is known where the distance is larger
@@ -37,8 +36,10 @@ struct MergeCriteria {
   float fit_ratio = 10;  ///< (residual of one plane - of two) / 3 over the noise of one independent reading
 };
 
-/// Merges basins across borders that are no creases, the least convincing border first, so that noise, texture and
-/// the even curvature of a cylinder do not split a surface: there the border is as strong as its surroundings.
+/// Merges basins across borders that are no creases, so that noise, texture and the even curvature of a cylinder do
+/// not split a surface: there the border is as strong as its surroundings. In rounds, each taking the borders from
+/// the least convincing one upwards and merging a region once at most, so that every decision rests on what the
+/// regions are now; until a round merges nothing.
 class BasinMerging {
  public:
   /// `region` receives, for every pixel, a raster index naming its region, -1 = none.
@@ -47,38 +48,32 @@ class BasinMerging {
 
  private:
   struct Basin {
-    int parent = 0;
+    int parent = 0;           ///< union-find over basins
     std::int32_t name = 0;
-    int version = 0;
+    int merged_in = 0;        ///< last round in which it changed
     double strength_sum = 0;  ///< over pixels where it is known
     double strength_count = 0;
     PlaneMoments moments;
-    std::unordered_map<int, int> border_with;  ///< neighbour -> index into borders_
   };
   struct Border {
-    double strength_sum = 0;  ///< over pairs of pixels where it is known
-    double strength_count = 0;
-    int length_px = 0;
-  };
-  struct Candidate {
+    int a = 0, b = 0;         ///< a < b
+    float strength_sum = 0;   ///< over pairs of pixels where it is known
+    float strength_count = 0;
     float rise = 0;
-    int a = 0, b = 0;
-    int version_a = 0, version_b = 0;
-    bool operator<(const Candidate& other) const;  ///< weakest first in a max heap
   };
 
-  void collect(const BasinLandscape& landscape);
-  void add_border_pair(const BasinLandscape& landscape, int a, int b, int x0, int y0, int x1, int y1);
+  void collect_basins(const BasinLandscape& landscape);
+  void collect_borders(const BasinLandscape& landscape);
+  void aggregate_borders();
+  bool merge_round();
   int find(int i);
-  void consider(int a, int b);
-  float rise_of(int a, int b, const Border& border) const;
-  bool is_crease(const Candidate& candidate);
-  void unite(int a, int b);
+  float rise_of(const Border& border) const;
+  bool is_crease(const Border& border) const;
 
   std::vector<Basin> basins_;
   std::vector<Border> borders_;
   std::vector<std::int32_t> index_;  ///< basin index by raster index of its name
-  std::priority_queue<Candidate> queue_;
+  int round_ = 0;
   MergeCriteria criteria_;
   DepthNoise noise_;
 };

@@ -1,6 +1,7 @@
 #include "surface/contours.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
@@ -30,26 +31,38 @@ PixelBox box_of(const Polyline& line) {
   return box;
 }
 
-bool contains(const PixelBox& outer, const PixelBox& inner) {
-  return outer.x0 < inner.x0 && outer.y0 < inner.y0 && inner.x1 < outer.x1 && inner.y1 < outer.y1;
+bool has_hole_around(const Surface& surface, ContourPoint p) {
+  for (const Polyline& hole : surface.contour.holes) {
+    const PixelBox box = box_of(hole);
+    if (p.x > box.x0 && p.x < box.x1 && p.y > box.y0 && p.y < box.y1 && encloses(hole, p)) return true;
+  }
+  return false;
 }
 
-/// A surface lies in the smallest hole that encloses it.
-void find_parents(const std::vector<PixelBox>& boxes, std::vector<Surface>& surfaces) {
-  std::vector<long> hole_area(surfaces.size(), 0);
-  for (Surface& around : surfaces)
-    for (const Polyline& hole : around.contour.holes) {
-      const PixelBox hole_box = box_of(hole);
-      const long area = static_cast<long>(hole_box.x1 - hole_box.x0) * (hole_box.y1 - hole_box.y0);
-      for (Surface& inside : surfaces) {
-        const std::size_t i = static_cast<std::size_t>(inside.id) - 1;
-        if (&inside == &around || inside.contour.outer.empty() || !contains(hole_box, boxes[i])) continue;
-        if (inside.parent != 0 && hole_area[i] <= area) continue;
-        if (!encloses(hole, inside.contour.outer.front())) continue;
-        inside.parent = around.id;
-        hole_area[i] = area;
-      }
-    }
+/// The label next to the left of a pixel, past pixels without one; 0 = none up to the image's edge.
+int label_to_the_left(ImageView<const std::uint16_t> labels, ContourPoint p) {
+  for (int x = p.x - 1; x >= 0; --x)
+    if (labels(x, p.y) != 0) return labels(x, p.y);
+  return 0;
+}
+
+/// As in Suzuki and Abe's scan: the surface met last, to the left of a surface's first pixel, either has it in a
+/// hole, and is its parent, or lies in the same hole. The first pixels are taken in raster order, so that the
+/// left one's parent is known.
+void find_parents(ImageView<const std::uint16_t> labels, std::vector<Surface>& surfaces) {
+  std::vector<Surface*> order;
+  for (Surface& surface : surfaces)
+    if (!surface.contour.outer.empty()) order.push_back(&surface);
+  const auto first = [](const Surface* s) { return s->contour.outer.front(); };
+  std::sort(order.begin(), order.end(), [&](const Surface* a, const Surface* b) {
+    return std::pair(first(a).y, first(a).x) < std::pair(first(b).y, first(b).x);
+  });
+  for (Surface* surface : order) {
+    const int left = label_to_the_left(labels, first(surface));
+    if (left == 0 || left == surface->id) continue;
+    const Surface& neighbour = surfaces[static_cast<std::size_t>(left) - 1];
+    surface->parent = has_hole_around(neighbour, first(surface)) ? neighbour.id : neighbour.parent;
+  }
 }
 
 void list_children(std::vector<Surface>& surfaces) {
@@ -86,7 +99,7 @@ void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<Pixe
       else if (lines[i].size() > surface.contour.outer.size())
         surface.contour.outer = to_polyline(lines[i]);
   }
-  find_parents(boxes, surfaces);
+  find_parents(labels, surfaces);
   list_children(surfaces);
 }
 
