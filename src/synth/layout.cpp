@@ -15,13 +15,15 @@ constexpr double degree = M_PI / 180;
 constexpr double highest_stack_m = 0.32, contact_m = 0.0005;
 
 bool in_view(const SceneObject& object, const Layout& layout, const Camera& camera, Size size) {
-  constexpr double border_px = 12;
+  // Kinect v1 frames lack 53 rows on top and 72 columns on the right.
+  constexpr double border_px = 12, top_px = 60, right_px = 80;
   for (const Hull& hull : posed_hulls(object)) {
     for (const Vec3d& corner : hull.points) {
       const Vec3d p = layout.view.T_world_camera.unapply(corner);
-      const double grown = hull.radius_m * camera.fx / p.z + border_px;
+      const double grown = hull.radius_m * camera.fx / p.z;
       const double x = camera.fx * p.x / p.z + camera.cx, y = camera.fy * p.y / p.z + camera.cy;
-      if (p.z < 0.2 || x < grown || y < grown || x > size.width - grown || y > size.height - grown)
+      if (p.z < 0.2 || x < grown + border_px || y < grown + top_px || x > size.width - grown - right_px ||
+          y > size.height - grown - border_px)
         return false;
     }
   }

@@ -14,7 +14,7 @@ struct SyntheticSpec {
   std::string scenes = "quickstart";  ///< a name of synthetic_scene_sets()
   std::uint64_t seed = 1;             ///< of layout and sensor noise
   bool noise_free = false;            ///< true: the exact depth instead of a Kinect v1 measurement
-  KinectV1 sensor{};
+  KinectV1 sensor{.registration_border = false};
 };
 
 /// One rendered and measured frame. All images have the same size.
