@@ -11,6 +11,12 @@ bool has_graspable_edge(const Surface& surface, ImageView<const std::uint8_t> ed
                      [&](const ContourPoint& p) { return (edges(p.x, p.y) & graspable_edge_bit) != 0; });
 }
 
+ContourPoint first_pixel(ImageView<const std::uint16_t> labels, const PixelBox& box, int label) {
+  int x = box.x0;
+  while (labels(x, box.y0) != label) ++x;
+  return {x, box.y0};
+}
+
 /// A dropped parent hands its children to its own parent.
 int kept_parent(const std::vector<Surface>& surfaces, const std::vector<int>& new_id, int parent) {
   while (parent != 0 && new_id[static_cast<std::size_t>(parent)] == 0)
@@ -62,7 +68,7 @@ void drop_invalid_surfaces(const ValidationParams& params, RegionPixels& pixels,
     if (reason.empty())
       new_id[i + 1] = ++kept;
     else
-      rejected.push_back({{pixels.boxes[i].x0, pixels.boxes[i].y0}, surface.area_px, std::string(reason)});
+      rejected.push_back({first_pixel(labels, pixels.boxes[i], surface.id), surface.area_px, std::string(reason)});
   }
   if (kept == static_cast<int>(surfaces.size())) return;
   renumber(new_id, pixels, surfaces);
