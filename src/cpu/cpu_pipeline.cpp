@@ -6,6 +6,7 @@
 #include "cpu/tuned/labelling.hpp"
 #include "cpu/tuned/normals.hpp"
 #include "cpu/tuned/pruning.hpp"
+#include "cpu/tuned/relocate.hpp"
 #include "cpu/tuned/thinning.hpp"
 #include "pipeline/frame_check.hpp"
 #include "pipeline/pipeline_body.hpp"

@@ -69,12 +69,17 @@ void RegionPixels::collect(ImageView<const std::uint16_t> labels, int label_coun
   if (points.size() < n) points.resize(n);
   for (PointSample& sample : points) sample.clear();
   for (int y = 0; y < labels.height; ++y)
-    for (int x = 0; x < labels.width; ++x) {
-      if (labels(x, y) == 0) continue;
-      const std::size_t i = labels(x, y) - std::size_t{1};
-      boxes[i].add(x, y);
-      ++area_px[i];
-      measured_px[i] += !filled(x, y);
+    for (int x = 0; x < labels.width;) {
+      const std::uint16_t label = labels(x, y);
+      const int begin = x;
+      int measured = 0;
+      for (; x < labels.width && labels(x, y) == label; ++x) measured += !filled(x, y);
+      if (label == 0) continue;
+      const std::size_t i = label - std::size_t{1};
+      boxes[i].add(begin, y);
+      boxes[i].add(x - 1, y);
+      area_px[i] += x - begin;
+      measured_px[i] += measured;
     }
   // Every stride-th measured pixel in raster order; an odd stride does not fall into step with the columns.
   seen_.assign(n, 0);

@@ -1,28 +1,29 @@
 #include "cpu/tuned/hysteresis.hpp"
 
-#include "core/neighbours.hpp"
+#include "cpu/tuned/edge_list.hpp"
 #include "stage/ridge.hpp"
 
 namespace facet {
 
 void hysteresis(CpuExecutor& executor, ImageView<std::uint8_t> ridge, ImageView<std::uint8_t> edge) {
-  std::vector<int>& stack = executor.scratch().list_a;
+  std::vector<int>&stack = executor.scratch().list_a, &ridges = executor.scratch().list_b;
+  list_set_pixels(ridge, ridges);
+  executor.fill(edge, std::uint8_t{0});
   stack.clear();
-  for (int y = 0; y < ridge.height; ++y)
-    for (int x = 0; x < ridge.width; ++x) {
-      const bool strong = ridge(x, y) == static_cast<std::uint8_t>(Ridge::strong);
-      edge(x, y) = strong;
-      if (strong) stack.push_back(y * ridge.width + x);
-    }
+  for (const int i : ridges) {
+    const int x = i % ridge.width, y = i / ridge.width;
+    if (ridge(x, y) != static_cast<std::uint8_t>(Ridge::strong)) continue;
+    edge(x, y) = 1;
+    stack.push_back(i);
+  }
   while (!stack.empty()) {
-    const int x = stack.back() % ridge.width, y = stack.back() / ridge.width;
+    const int from = stack.back();
     stack.pop_back();
-    for (int i = 0; i < 8; ++i) {
-      const int nx = x + neighbour8(i).dx, ny = y + neighbour8(i).dy;
-      if (!edge.size().contains(nx, ny) || edge(nx, ny) || !ridge(nx, ny)) continue;
-      edge(nx, ny) = 1;
-      stack.push_back(ny * ridge.width + nx);
-    }
+    for_each_set_neighbour(ridge, from, [&](int x, int y) {
+      if (edge(x, y)) return;
+      edge(x, y) = 1;
+      stack.push_back(y * ridge.width + x);
+    });
   }
 }
 
