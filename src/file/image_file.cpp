@@ -35,10 +35,10 @@ ImageFile read_image_file(const std::filesystem::path& path) {
   return image;
 }
 
-void write_png_file(const std::filesystem::path& path, const cv::Mat& pixels) {
+void write_png_file(const std::filesystem::path& path, const cv::Mat& pixels, int compression) {
   std::vector<std::uint8_t> bytes;
   // Settings are spelled out, because the library's defaults differ from version to version.
-  const std::vector<int> settings{cv::IMWRITE_PNG_COMPRESSION, 6, cv::IMWRITE_PNG_STRATEGY,
+  const std::vector<int> settings{cv::IMWRITE_PNG_COMPRESSION, compression, cv::IMWRITE_PNG_STRATEGY,
                                   cv::IMWRITE_PNG_STRATEGY_DEFAULT};
   if (!cv::imencode(".png", pixels, bytes, settings))
     throw Error(ErrorKind::internal, printable(path) + ": image cannot be encoded");

@@ -19,6 +19,8 @@ struct ImageFile {
 ImageFile read_image_file(const std::filesystem::path& path);
 
 /// Writes a PNG (8-bit or 16-bit, 1 or 3 channels) atomically; the same pixels give the same bytes.
-void write_png_file(const std::filesystem::path& path, const cv::Mat& pixels);
+/// `compression` is zlib's level, 0..9: on photographs 1 takes a third of the time of 6 and a fifth more
+/// space.
+void write_png_file(const std::filesystem::path& path, const cv::Mat& pixels, int compression = 6);
 
 }  // namespace facet

@@ -90,7 +90,8 @@ cv::Mat draw_overlay(const Frame& frame, const Prediction& prediction) {
 
 void write_overlays(const Frame& frame, const Prediction& prediction,
                     const std::filesystem::path& directory) {
-  write_png_file(directory / (frame.id + ".png"), draw_overlay(frame, prediction));
+  constexpr int fast = 1;
+  write_png_file(directory / (frame.id + ".png"), draw_overlay(frame, prediction), fast);
 }
 
 }  // namespace facet

@@ -1,5 +1,6 @@
 #include "overlay/surface_panel.hpp"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "prediction/label_images.hpp"
@@ -36,18 +37,29 @@ void blend(cv::Mat& panel, const cv::Mat& labels, const std::map<int, cv::Scalar
   }
 }
 
+std::map<int, cv::Rect> bounding_boxes(const cv::Mat& labels) {
+  std::map<int, cv::Rect> boxes;
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (const int label = labels.at<std::uint16_t>(y, x); label != 0) boxes[label] |= cv::Rect(x, y, 1, 1);
+  return boxes;
+}
+
 /// Writes the id where the surface is widest, if it fits in there.
-void write_id(cv::Mat& panel, const cv::Mat& labels, int id) {
-  cv::Mat mask = labels == id, padded, distance_px;
-  cv::copyMakeBorder(mask, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+void write_id(cv::Mat& panel, const cv::Mat& labels, int id, const cv::Rect& box) {
+  const std::string text = std::to_string(id);
+  const int needed_px = text_width(text) + 4;
+  if (std::min(box.width, box.height) < needed_px) return;
+  cv::Mat padded, distance_px;
+  cv::copyMakeBorder(labels(box) == id, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED,
+                     cv::Scalar(0));
   cv::distanceTransform(padded, distance_px, cv::DIST_L2, cv::DIST_MASK_3);
   double radius_px = 0;
   cv::Point centre;
   cv::minMaxLoc(distance_px, nullptr, &radius_px, nullptr, &centre);
-  const std::string text = std::to_string(id);
-  if (2 * radius_px < text_width(text) + 4) return;
-  const cv::Point corner = centre - cv::Point(1 + text_width(text) / 2, 1 + text_height_px / 2);
-  draw_text(panel, text, corner, cv::Scalar::all(0));
+  if (2 * radius_px < needed_px) return;
+  const cv::Point middle = box.tl() + centre - cv::Point(1, 1);
+  draw_text(panel, text, middle - cv::Point(text_width(text) / 2, text_height_px / 2), cv::Scalar::all(0));
 }
 
 }  // namespace
@@ -57,7 +69,7 @@ cv::Mat draw_surfaces(const Frame& frame, const Prediction& prediction,
   cv::Mat panel = draw_ground(frame, 0.8);
   const cv::Mat labels = panel_labels(prediction.labels);
   blend(panel, labels, colors);
-  for (const Surface& surface : prediction.surfaces) write_id(panel, labels, surface.id);
+  for (const auto& [id, box] : bounding_boxes(labels)) write_id(panel, labels, id, box);
   return panel;
 }
 
