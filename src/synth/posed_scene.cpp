@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "synth/hull_overlap.hpp"
 #include "synth/intersect.hpp"
 
 namespace facet {
@@ -47,6 +48,11 @@ PosedScene::PosedScene(const Scene& scene, const RigidMotion& T_world_camera) {
     const SceneObject& object = scene.objects[k];
     const RigidMotion T_camera_object = T_camera_world * object.pose;
     const std::uint16_t first = first_face_id(scene, k);
+    for (const Hull& hull : posed_hulls(object)) {
+      if (!hulls_overlap(hull, {{T_world_camera.origin}}, 1e-6)) continue;
+      throw Error(ErrorKind::config,
+                  "camera: it lies inside object " + std::to_string(k + 1) + ", a " + object.shape);
+    }
     for (const Patch& patch : object.patches) {
       Patch posed = patch;
       posed.frame = T_camera_object * patch.frame;

@@ -22,7 +22,7 @@ struct Face {
 
 /// Convex hull of points, grown by a radius: the room that a part of an object takes.
 struct Hull {
-  std::vector<Vec3d> points;
+  std::vector<Vec3d> points{};
   double radius_m = 0;
 };
 
