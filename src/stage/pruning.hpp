@@ -32,6 +32,30 @@ constexpr bool is_end_point(unsigned code) {
 }
 inline constexpr NeighbourTable end_point_table = make_neighbour_table(is_end_point);
 
+/// Whether a line meets the image border at (x, y) instead of running along it. It has no open end there: it bounds
+/// the regions on both of its sides.
+FACET_HD inline bool meets_image_border(Size size, int x, int y, unsigned code) {
+  unsigned outside = 0;
+  for (int i = 0; i < 8; ++i)
+    if (!size.contains(x + neighbour8(i).dx, y + neighbour8(i).dy)) outside |= 1u << i;
+  const unsigned beside_outside = outside << 1 | outside >> 7 | outside >> 1 | outside << 7;
+  return outside != 0 && (code & ~beside_outside) != 0;
+}
+
+/// Marks the end points of a line, but for those where it meets the image border.
+struct MarkEndPointOp {
+  static constexpr int radius = 0;
+  NeighbourTable end_points;
+  ImageView<const std::uint8_t> edge;
+  ImageView<std::uint8_t> mark;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    const unsigned code = neighbour_code(edge, x, y);
+    mark(x, y) = end_points[code] && !meets_image_border(edge.size(), x, y, code);
+  }
+};
+
 /// One step of the conditional dilation: original edge pixels beside the front join it. Reads `front`, writes `grown`.
 struct ConditionalDilationOp {
   static constexpr int radius = 0;
@@ -64,7 +88,7 @@ template <class Executor>
 void remove_end_points(Executor& executor, int passes, ImageView<std::uint8_t> edge, ImageView<std::uint8_t> mark) {
   executor.take_changed();
   for (int pass = 0; pass < passes; ++pass) {
-    executor.for_each_set(edge, MarkByTableOp{end_point_table, edge, mark});
+    executor.for_each_set(edge, MarkEndPointOp{end_point_table, edge, mark});
     executor.for_each_set(edge, DeleteMarkedOp{edge, mark, executor.changed_flag()});
     if (!executor.take_changed()) break;
   }
@@ -76,9 +100,9 @@ struct PruningScratch {
 };
 
 /// Pruning of a thin edge mask in place (paper eq. 10; Gonzalez and Woods). `stability` removes every open branch:
-/// only closed loops, and lines between them, remain. `gonzalez` removes end points n times (X1), finds the end
-/// points of what is left (X2), grows them back along the original n times (X3) and returns the union (X4): spurs
-/// of up to n pixels vanish, longer lines keep their length.
+/// only closed loops, and lines between them or the image border, remain. `gonzalez` removes end points n times (X1),
+/// finds the end points of what is left (X2), grows them back along the original n times (X3) and returns the union
+/// (X4): spurs of up to n pixels vanish, longer lines keep their length.
 template <class Executor>
 void prune(Executor& executor, const PruningParams& params, ImageView<std::uint8_t> edge,
            const PruningScratch& scratch) {
@@ -90,7 +114,7 @@ void prune(Executor& executor, const PruningParams& params, ImageView<std::uint8
   }
   executor.copy(ImageView<const std::uint8_t>(edge), scratch.original);
   remove_end_points(executor, params.iterations, edge, scratch.mark);
-  executor.for_each_set(edge, MarkByTableOp{end_point_table, edge, scratch.mark});
+  executor.for_each_set(edge, MarkEndPointOp{end_point_table, edge, scratch.mark});
   executor.fill(scratch.grown, std::uint8_t{0});
   for (int i = 0; i < params.iterations; ++i) {
     executor.for_each_set(scratch.original, ConditionalDilationOp{scratch.mark, scratch.grown});

@@ -5,6 +5,11 @@
 namespace facet {
 namespace {
 
+bool is_end_point(const SparseMask& mask, Size size, int pixel) {
+  const unsigned code = mask.code(pixel);
+  return end_point_table[code] && !meets_image_border(size, mask.x(pixel), mask.y(pixel), code);
+}
+
 /// Deletes the end points of each pass; only pixels beside deleted ones can become new end points. A pixel's flag is
 /// 1 while it waits in the list.
 void remove_end_points_listed(CpuScratch& scratch, int passes, ImageView<std::uint8_t> edge) {
@@ -15,7 +20,7 @@ void remove_end_points_listed(CpuScratch& scratch, int passes, ImageView<std::ui
     doomed.clear();
     for (const int pixel : candidates) {
       mask.flags(pixel) = 0;
-      if (mask.has(pixel) && end_point_table[mask.code(pixel)]) doomed.push_back(pixel);
+      if (mask.has(pixel) && is_end_point(mask, edge.size(), pixel)) doomed.push_back(pixel);
     }
     candidates.clear();
     for (const int pixel : doomed) {
@@ -37,7 +42,7 @@ void grow_ends(CpuScratch& scratch, int steps, ImageView<std::uint8_t> edge,
   mask.assign(edge, pixels);
   front.clear();
   for (const int pixel : pixels)
-    if (end_point_table[mask.code(pixel)]) front.push_back(pixel);
+    if (is_end_point(mask, edge.size(), pixel)) front.push_back(pixel);
   mask.assign(original, pixels);
   for (const int pixel : front) mask.flags(pixel) = 1;
   for (int step = 0; step < steps && !front.empty(); ++step) {
