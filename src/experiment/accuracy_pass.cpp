@@ -75,7 +75,9 @@ std::vector<FrameRow> AccuracyPass::run() {
               method = make_method(experiment_.methods[unit.method],
                                    {plan_.datasets[unit.dataset].data->sensor(),
                                     static_cast<std::uint64_t>(experiment_.seed), 1});
-            run_unit(unit, *method);
+            // Isolated: while a method waits for threads of its own, this one must not begin another unit
+            // with it.
+            tbb::this_task_arena::isolate([&] { run_unit(unit, *method); });
           }
         },
         tbb::simple_partitioner());

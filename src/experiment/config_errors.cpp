@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <numeric>
+#include <tuple>
 
 #include "core/error.hpp"
 
@@ -36,15 +36,24 @@ void ConfigErrors::add(const Origin& origin, std::string_view path, const std::s
                        const std::string& expected, const std::string& suggestion) {
   std::string message = fmt::format("{}: {}: value {}: expected {}", origin.text(), path, value, expected);
   if (!suggestion.empty()) message += fmt::format("; did you mean \"{}\"?", suggestion);
-  messages_.push_back(std::move(message));
+  messages_.push_back({origin, std::move(message)});
 }
 
 void ConfigErrors::add(const Origin& origin, const std::string& message) {
-  messages_.push_back(fmt::format("{}: {}", origin.text(), message));
+  messages_.push_back({origin, fmt::format("{}: {}", origin.text(), message)});
 }
 
 void ConfigErrors::throw_if_any() const {
-  if (!messages_.empty()) throw Error(ErrorKind::config, fmt::format("{}", fmt::join(messages_, "\n")));
+  if (messages_.empty()) return;
+  std::vector<Message> sorted = messages_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Message& a, const Message& b) {
+    return std::tie(a.origin.source, a.origin.line, a.origin.column) <
+           std::tie(b.origin.source, b.origin.line, b.origin.column);
+  });
+  std::string text = sorted.size() == 1 ? "the configuration has an error"
+                                        : fmt::format("the configuration has {} errors", sorted.size());
+  for (const Message& message : sorted) text += '\n' + message.text;
+  throw Error(ErrorKind::config, text);
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {

@@ -16,11 +16,16 @@ class ConfigErrors {
            const std::string& suggestion = {});
   void add(const Origin& origin, const std::string& message);
   bool empty() const { return messages_.empty(); }
-  /// Throws Error{config} with one line per error; does nothing when there is none.
+  /// Throws Error{config} with one line per error, in the order of the files' lines; does nothing without
+  /// any.
   void throw_if_any() const;
 
  private:
-  std::vector<std::string> messages_;
+  struct Message {
+    Origin origin;
+    std::string text;
+  };
+  std::vector<Message> messages_;
 };
 
 /// The candidate with the least edit distance to `name`; empty where none is near.

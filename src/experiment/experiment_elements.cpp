@@ -93,6 +93,7 @@ std::string option_expectation(OptionType type) {
 
 void read_reader_options(SectionReader& reader, const ReaderInfo& info, DatasetSpec& spec) {
   for (const OptionInfo& option : info.options) {
+    if (option.name == "sensor") continue;  // a key of every data set, read already
     const ConfigValue* value = reader.take(option.name);
     if (value == nullptr) continue;
     if (has_type(*value, option.type))
@@ -147,6 +148,7 @@ MethodSpec read_method(const ConfigValue& value, const std::string& where, Confi
                        OriginTable& origins) {
   SectionReader reader(value, where, errors, origins);
   MethodSpec spec;
+  spec.name.clear();
   if (!value.is_map()) return spec;
   read_required_name(reader, value, spec.name);
   const std::vector<std::string> known = names_of(method_kinds());

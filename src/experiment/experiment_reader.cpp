@@ -51,7 +51,7 @@ std::vector<Spec> read_elements(SectionReader& reader, const std::string& sectio
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string where = element_path(items[i], section, i);
     specs.push_back(read(items[i], where));
-    if (!names.insert(specs.back().name).second)
+    if (!specs.back().name.empty() && !names.insert(specs.back().name).second)
       errors.add(items[i].origin, where, specs.back().name, "a name that is used once");
   }
   return specs;

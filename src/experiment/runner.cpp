@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
+#include <tbb/global_control.h>
 
 #include "core/error.hpp"
 #include "dataset/checksum.hpp"
@@ -203,6 +203,8 @@ RunOutcome run_experiment(const RunOptions& options, RunObserver& observer,
   // Parallelism is over frames, and a timed run uses the threads it reports: OpenCV adds none of its own.
   cv::setNumThreads(1);
   const LoadedExperiment loaded = load_experiment(options.config_file, options.overrides);
+  const auto threads = static_cast<std::size_t>(std::max(options.jobs, loaded.experiment.timing.threads));
+  const tbb::global_control parallelism(tbb::global_control::max_allowed_parallelism, threads);
   return Run(loaded.experiment, options, observer, stop_signal).execute();
 }
 
