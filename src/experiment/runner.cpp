@@ -1,192 +1,16 @@
 #include "experiment/runner.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
-#include <map>
 #include <opencv2/core/utility.hpp>
 #include <tbb/global_control.h>
 
 #include "core/error.hpp"
-#include "dataset/checksum.hpp"
-#include "experiment/accuracy_pass.hpp"
-#include "experiment/build_info.hpp"
-#include "experiment/calibration.hpp"
-#include "experiment/config_writer.hpp"
-#include "experiment/data_root.hpp"
-#include "experiment/environment.hpp"
-#include "experiment/run_directory.hpp"
-#include "experiment/timing_pass.hpp"
+#include "experiment/experiment_run.hpp"
 #include "file/file_bytes.hpp"
-#include "record/metrics_summary.hpp"
 #include "record/run_record.hpp"
 #include "report/run_report.hpp"
-#include "report/timing_summary.hpp"
 
 namespace facet {
-namespace {
-
-/// Hash of everything that decides which results there are: the experiment and the selection of frames.
-std::string config_hash(const Experiment& experiment, const RunOptions& options) {
-  const std::string text = write_config(experiment) +
-                           fmt::format("filter: {}\nlimit: {}\n", options.filter, options.limit.value_or(0));
-  return sha256_hex({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
-
-/// What the experiment asks for and this version does not do.
-std::vector<std::string> unmet_wishes(const Experiment& experiment) {
-  std::vector<std::string> notes;
-  const ScoreOptions& score = experiment.score;
-  if (score.surfaces || score.edges || score.objects || score.pose != PoseScore::off)
-    notes.push_back("not scored: no scorer in this version");
-  if (experiment.outputs.gallery > 0)
-    notes.push_back("no gallery: it needs scores, and there is no scorer in this version");
-  return notes;
-}
-
-std::vector<std::string> printable_all(const std::vector<std::string>& texts) {
-  std::vector<std::string> result;
-  for (const std::string& text : texts) result.push_back(escaped_utf8(text));
-  return result;
-}
-
-/// One run, from its plan to its report.
-class Run {
- public:
-  Run(const Experiment& experiment, const RunOptions& options, RunObserver& observer,
-      const std::atomic<int>& stop_signal)
-      : experiment_(experiment),
-        options_(options),
-        observer_(observer),
-        stop_signal_(stop_signal),
-        plan_(check_experiment(experiment, options)),
-        identity_{config_hash(experiment, options), build_identity()},
-        directory_(open_directory()) {}
-
-  RunOutcome execute() {
-    describe_run();
-    AccuracyPass pass(experiment_, plan_, identity_, directory_, options_, observer_, stop_signal_);
-    rows_ = pass.run();
-    count_rows();
-    publish_lock(pass.work().data_lock());
-    const bool stopped_early = options_.fail_fast && failed() > 0;
-    if (stop_signal_ == 0) {
-      publish_metrics();
-      if (!stopped_early) time_methods(pass);
-    }
-    return finish(stopped_early);
-  }
-
- private:
-  RunDirectory open_directory() {
-    if (options_.resume) {
-      if (auto found = RunDirectory::find(options_.out, experiment_.name, identity_.config_hash,
-                                          build_info().name())) {
-        observer_.on_note("resuming " + printable(found->path()));
-        return *found;
-      }
-      observer_.on_note("nothing to resume, starting anew");
-    }
-    return RunDirectory::create(options_.out, experiment_.name, identity_.config_hash, build_info().name());
-  }
-
-  void describe_run() {
-    manifest_.experiment = experiment_.name;
-    manifest_.command = printable_all(options_.command);
-    manifest_.config_hash = identity_.config_hash;
-    manifest_.build = identity_.build;
-    manifest_.backend = "cpu";
-    manifest_.jobs = options_.jobs;
-    manifest_.started_utc = utc_now();
-    for (const MethodSpec& method : experiment_.methods) manifest_.methods.push_back(method.name);
-    for (const PlannedDataset& planned : plan_.datasets) manifest_.datasets.push_back(planned.spec.name);
-    manifest_.frames_planned = static_cast<int>(plan_.frame_count());
-    manifest_.timing_warmup = experiment_.timing.warmup;
-    manifest_.timing_repeats = experiment_.timing.repeats;
-    manifest_.timing_threads = experiment_.timing.threads;
-    manifest_.notes = unmet_wishes(experiment_);
-    for (const PlannedDataset& planned : plan_.datasets)
-      if (!planned.spec.root.empty())
-        observer_.on_note(
-            fmt::format("data set {} is read from {}", planned.spec.name, printable(planned.spec.root)));
-    directory_.publish("manifest.json", to_json(manifest_));
-    directory_.publish("config.resolved.yaml", write_config(experiment_));
-    directory_.publish("env.json", environment_json());
-    directory_.become_latest();
-  }
-
-  void count_rows() {
-    for (const FrameRow& row : rows_) {
-      manifest_.frames_ok += row.status == FrameStatus::ok;
-      manifest_.frames_data_error += row.status == FrameStatus::data_error;
-      manifest_.frames_method_error += row.status == FrameStatus::method_error;
-    }
-  }
-  int failed() const { return manifest_.frames_data_error + manifest_.frames_method_error; }
-
-  void publish_lock(const DataLock& lock) {
-    std::map<std::string, std::filesystem::path> roots;
-    for (const PlannedDataset& planned : plan_.datasets) roots[planned.spec.name] = planned.spec.root;
-    directory_.publish("dataset.lock.json", lock.to_json(roots));
-  }
-
-  void publish_metrics() {
-    std::string lines;
-    for (const FrameRow& row : rows_) lines += to_json_line(row);
-    directory_.publish("frames.jsonl", lines);
-    directory_.publish("metrics/frames.csv", frames_csv(rows_));
-    directory_.publish("metrics/summary.json", metrics_summary_json(manifest_, rows_));
-  }
-
-  void time_methods(const AccuracyPass& pass) {
-    const bool timed_before = std::filesystem::exists(directory_.path() / "timing/samples.csv");
-    if (experiment_.timing.repeats == 0 || (timed_before && pass.new_rows() == 0)) return;
-    FrameKeys keys;
-    for (const FrameRow& row : rows_)
-      if (row.status == FrameStatus::ok) keys.insert({row.dataset, row.frame, row.method});
-    const Calibration calibration = measure_calibration();
-    Timings timings = run_timing_pass(experiment_, plan_, keys, observer_, stop_signal_);
-    if (stop_signal_ != 0) return;
-    std::vector<IoTime> io_times = std::move(timings.io_times);
-    io_times.insert(io_times.end(), pass.work().write_times().begin(), pass.work().write_times().end());
-    directory_.publish("timing/calibration.json", to_json(calibration));
-    directory_.publish("timing/io.csv", to_csv(io_times));
-    directory_.publish("timing/stages.csv", stages_csv(summarize_timing(timings.table)));
-    directory_.publish("timing/samples.csv", to_csv(timings.table));
-  }
-
-  int exit_code(bool stopped_early) const {
-    if (stop_signal_ != 0) return 128 + stop_signal_;
-    if (stopped_early) return 4;
-    if (failed() > options_.max_failures) return 5;
-    return manifest_.frames_ok == 0 ? 6 : 0;
-  }
-
-  RunOutcome finish(bool stopped_early) {
-    RunOutcome outcome;
-    outcome.exit_code = exit_code(stopped_early);
-    outcome.directory = directory_.path();
-    manifest_.exit_code = outcome.exit_code;
-    manifest_.finished_utc = utc_now();
-    manifest_.status = stop_signal_ != 0        ? RunStatus::partial
-                       : outcome.exit_code != 0 ? RunStatus::failed
-                                                : RunStatus::complete;
-    directory_.publish("manifest.json", to_json(manifest_));
-    if (stop_signal_ == 0) outcome.report = render_report(directory_.path());
-    return outcome;
-  }
-
-  const Experiment& experiment_;
-  const RunOptions& options_;
-  RunObserver& observer_;
-  const std::atomic<int>& stop_signal_;
-  Plan plan_;
-  RunIdentity identity_;
-  RunDirectory directory_;
-  Manifest manifest_;
-  std::vector<FrameRow> rows_;
-};
-
-}  // namespace
 
 Plan check_experiment(const Experiment& experiment, const RunOptions& options) {
   if (experiment.ablation) throw Error(ErrorKind::config, "section `ablation` is not built in this version");
@@ -205,7 +29,7 @@ RunOutcome run_experiment(const RunOptions& options, RunObserver& observer,
   const LoadedExperiment loaded = load_experiment(options.config_file, options.overrides);
   const auto threads = static_cast<std::size_t>(std::max(options.jobs, loaded.experiment.timing.threads));
   const tbb::global_control parallelism(tbb::global_control::max_allowed_parallelism, threads);
-  return Run(loaded.experiment, options, observer, stop_signal).execute();
+  return ExperimentRun(loaded.experiment, options, observer, stop_signal).execute();
 }
 
 Report render_report(const std::filesystem::path& run_directory) {

@@ -155,6 +155,24 @@ TEST_F(CommandLine, AFullDiskIsAClearErrorAndNotADeadProcess) {
   EXPECT_THAT(file_text(facet.folder() / "stderr"), HasSubstr("cannot be written"));
 }
 
+TEST_F(CommandLine, FramesWithOddNamesGetSafeFilesAndReadableRows) {
+  const auto first = facet.folder() / "frames/f1.depth.png";
+  std::filesystem::rename(first, facet.folder() / "frames/ö \"1\",%.depth.png");
+  const auto result = facet.run({"run", "exp.yaml", "-o", "out"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const auto run = facet.latest("out", "exp");
+  EXPECT_TRUE(std::filesystem::exists(run / "predictions/a/small/%C3%B6%20%221%22%2C%25.labels.png"));
+  EXPECT_THAT(file_text(run / "frames.jsonl"), HasSubstr("\"frame\":\"ö \\\"1\\\",%\""));
+  EXPECT_EQ(facet.run({"report", run.string()}).exit_code, 0);
+}
+
+TEST_F(CommandLine, AFileNameThatIsNotUtf8ExitsFourAndIsShown) {
+  std::filesystem::rename(facet.folder() / "frames/f1.depth.png", facet.folder() / "frames/f\xff.depth.png");
+  const auto result = facet.run({"run", "exp.yaml", "-o", "out"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_THAT(result.err, HasSubstr("f%FF.depth.png"));
+}
+
 TEST_F(CommandLine, ReportRendersAStoredRunAgain) {
   ASSERT_EQ(facet.run({"run", "exp.yaml", "-o", "out"}).exit_code, 0);
   const auto run = facet.latest("out", "exp");

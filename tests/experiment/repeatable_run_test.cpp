@@ -98,6 +98,22 @@ TEST_F(RepeatableRun, AResumedRunTriesFailedFramesAgain) {
   EXPECT_EQ(lasting_files(whole_run("out", {"--resume"})), lasting_files(whole_run("fresh")));
 }
 
+TEST_F(RepeatableRun, ASequenceResumedHalfWayRemembersThePastFrames) {
+  facet.write(
+      "exp.yaml",
+      std::string(small_experiment).replace(small_experiment.find("depth_unit_m"), 0, "sequence: true, "));
+  const auto whole = lasting_files(whole_run("whole"));
+  const auto run = whole_run("half");
+  std::string rows = file_text(run / "frames.jsonl");
+  rows.resize(rows.size() / 2);  // as a kill leaves it
+  std::ofstream(run / "frames.jsonl", std::ios::trunc) << rows;
+  std::filesystem::remove_all(run / "predictions/b");
+  EXPECT_EQ(whole_run("half", {"--resume"}), run);
+  auto resumed = lasting_files(run);
+  EXPECT_EQ(resumed["frames.jsonl"], whole.at("frames.jsonl"));
+  EXPECT_EQ(resumed["b/small/f29.labels.png"], whole.at("b/small/f29.labels.png"));
+}
+
 TEST_F(RepeatableRun, AnotherConfigurationIsAnotherRun) {
   const auto first = whole_run("out");
   const auto second = whole_run("out", {"--resume", "--set", "seed=2"});

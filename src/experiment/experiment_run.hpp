@@ -1,0 +1,42 @@
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "experiment/accuracy_pass.hpp"
+#include "experiment/run_directory.hpp"
+#include "experiment/runner.hpp"
+#include "record/manifest.hpp"
+
+namespace facet {
+
+/// One run, from its plan to its report.
+class ExperimentRun {
+ public:
+  ExperimentRun(const Experiment& experiment, const RunOptions& options, RunObserver& observer,
+                const std::atomic<int>& stop_signal);
+  RunOutcome execute();
+
+ private:
+  RunDirectory open_directory();
+  void describe_run();
+  void count_rows();
+  int failed() const { return manifest_.frames_data_error + manifest_.frames_method_error; }
+  void publish_lock(const DataLock& lock);
+  void publish_metrics();
+  void time_methods(const AccuracyPass& pass);
+  int exit_code(bool stopped_early) const;
+  RunOutcome finish(bool stopped_early);
+
+  const Experiment& experiment_;
+  const RunOptions& options_;
+  RunObserver& observer_;
+  const std::atomic<int>& stop_signal_;
+  Plan plan_;
+  RunIdentity identity_;
+  RunDirectory directory_;
+  Manifest manifest_;
+  std::vector<FrameRow> rows_;
+};
+
+}  // namespace facet
