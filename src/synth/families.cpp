@@ -1,5 +1,7 @@
 #include "synth/families.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 
 namespace facet {
@@ -12,7 +14,7 @@ std::vector<SceneRecipe> all_families() {
   all.back().stacked_share = 0.65;
   all.push_back({.name = "occluded", .mix = {.box = 3, .cylinder = 1}, .fewest = 3, .most = 5});
   all.back().spread_m = 0.14, all.back().lowest_deg = 25, all.back().highest_deg = 35;
-  all.back().occluded_share = 0.25;
+  all.back().least_hidden = 0.25, all.back().most_hidden = 0.8;
   all.push_back({.name = "cylindrical", .mix = {.cylinder = 4, .lying_cylinder = 1, .cup = 2, .bowl = 1}});
   all.back().fewest = 3, all.back().most = 7, all.back().stacked_share = 0.15;
   all.push_back({.name = "mixed", .mix = {2, 1, 2, 0.5, 1, 0.7, 0.5}, .fewest = 4, .most = 8});
@@ -32,10 +34,11 @@ std::uint64_t seed_of(const std::string& name, std::uint64_t seed) {
   return seed;
 }
 
-/// The largest share of an object's pixels that others hide.
-double most_hidden(const Layout& layout, const Camera& camera, Size size) {
-  const PosedScene posed(layout.view.scene, layout.view.T_world_camera);
-  const Rendering image = render(posed, camera, size);
+/// The largest share of an object's pixels that others hide, from pictures of a quarter of the size.
+double hidden_share(const Layout& layout, const Camera& full_camera, Size full_size) {
+  const Size size{full_size.width / 4, full_size.height / 4};
+  const Camera camera{full_camera.fx / 4, full_camera.fy / 4, full_camera.cx / 4, full_camera.cy / 4};
+  const Rendering image = render(PosedScene(layout.view.scene, layout.view.T_world_camera), camera, size);
   double most = 0;
   for (std::size_t k = 0; k < layout.view.scene.objects.size(); ++k) {
     Scene alone{.has_table = false, .has_room = false};
@@ -48,7 +51,7 @@ double most_hidden(const Layout& layout, const Camera& camera, Size size) {
         all += full.object_ids(x, y) == 1;
       }
     }
-    if (all > 0 && seen > all / 5) most = std::max(most, 1 - static_cast<double>(seen) / all);
+    if (all > 0) most = std::max(most, 1 - static_cast<double>(seen) / all);
   }
   return most;
 }
@@ -71,14 +74,16 @@ const SceneRecipe& scene_family(const std::string& name) {
 
 Layout family_layout(const SceneRecipe& recipe, std::uint64_t seed, std::uint64_t index, const Camera& camera,
                      Size size) {
-  constexpr std::uint64_t tries = 200;
+  constexpr std::uint64_t tries = 500;
+  const bool any = recipe.least_hidden <= 0 && recipe.most_hidden >= 1;
   for (std::uint64_t k = 0; k < tries; ++k) {
     Layout layout = random_layout(recipe, seed_of(recipe.name, seed), index * tries + k, camera, size);
-    if (recipe.occluded_share == 0 || most_hidden(layout, camera, size) >= recipe.occluded_share)
-      return layout;
+    const double hidden = any ? 0 : hidden_share(layout, camera, size);
+    if (hidden >= recipe.least_hidden && hidden <= recipe.most_hidden) return layout;
   }
-  throw Error(ErrorKind::config,
-              "recipe '" + recipe.name + "': occluded_share was not reached in 200 scenes");
+  throw Error(ErrorKind::config, "recipe '" + recipe.name + "': no scene in 500 hides between " +
+                                     std::to_string(recipe.least_hidden) + " and " +
+                                     std::to_string(recipe.most_hidden) + " of an object");
 }
 
 }  // namespace facet

@@ -1,3 +1,4 @@
+#include "core/error.hpp"
 #include "synth/shape_parts.hpp"
 #include "synth/shapes.hpp"
 
@@ -22,6 +23,21 @@ SceneObject make_wedge(Vec3d size_m) {
                                    {"back", {{x, y, 0}, {-x, y, 0}, {-x, y, z}, {x, y, z}}},
                                    {"left", {{-x, y, 0}, {-x, -y, 0}, {-x, y, z}}},
                                    {"right", {{x, -y, 0}, {x, y, 0}, {x, y, z}}}});
+}
+
+SceneObject make_ridge(Vec3d size_m, double crease_rad) {
+  require_positive({size_m.x, size_m.y, size_m.z}, "ridge");
+  if (!(crease_rad > 0 && crease_rad <= M_PI / 2 + 1e-9)) {
+    throw Error(ErrorKind::config, "ridge: the crease must be between 0 and 90 degrees");
+  }
+  const double x = size_m.x / 2, y = size_m.y / 2, e = size_m.z, t = e + x * std::tan(crease_rad / 2);
+  return make_polyhedron("ridge", {{"left slope", {{-x, y, e}, {-x, -y, e}, {0, -y, t}, {0, y, t}}},
+                                   {"right slope", {{0, y, t}, {0, -y, t}, {x, -y, e}, {x, y, e}}},
+                                   {"bottom", {{-x, y, 0}, {x, y, 0}, {x, -y, 0}, {-x, -y, 0}}},
+                                   {"left", {{-x, y, 0}, {-x, -y, 0}, {-x, -y, e}, {-x, y, e}}},
+                                   {"right", {{x, -y, 0}, {x, y, 0}, {x, y, e}, {x, -y, e}}},
+                                   {"front", {{-x, -y, 0}, {x, -y, 0}, {x, -y, e}, {0, -y, t}, {-x, -y, e}}},
+                                   {"back", {{x, y, 0}, {-x, y, 0}, {-x, y, e}, {0, y, t}, {x, y, e}}}});
 }
 
 RigidMotion upside_down(double height_m) {

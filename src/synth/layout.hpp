@@ -21,7 +21,8 @@ struct SceneRecipe {
   double object_scale = 1;
   double nearest_m = 0.75, farthest_m = 0.95;  ///< distance of the camera from the middle
   double lowest_deg = 35, highest_deg = 50;    ///< its elevation
-  double occluded_share = 0;  ///< some object must have at least this share hidden, and at most 0.8
+  double least_hidden = 0,
+         most_hidden = 1;  ///< range of the largest share of an object that others hide, 0..1
 };
 
 /// A view with what each object rests on or leans against: the index of an object, or -1 for the table.

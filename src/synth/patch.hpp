@@ -8,7 +8,7 @@
 namespace facet {
 
 enum class PatchShape : std::uint8_t {
-  polygon,  ///< convex polygon of 3 or 4 corners in the plane z = 0, counter-clockwise seen from +z
+  polygon,  ///< convex polygon of 3 to 5 corners in the plane z = 0, counter-clockwise seen from +z
   disc,     ///< |(x, y)| <= radius_m in the plane z = 0
   frustum,  ///< side of a cylinder or cone about z: radius_m at z = 0, end_radius_m at z = height_m
   sphere,   ///< part of the sphere of radius_m about the origin with low_m <= z <= high_m
@@ -19,7 +19,7 @@ enum class PatchShape : std::uint8_t {
 struct Patch {
   PatchShape shape = PatchShape::polygon;
   RigidMotion frame{};             ///< patch -> object (in an object), patch -> camera (when rendering)
-  std::array<Vec3d, 4> corners{};  ///< of a polygon
+  std::array<Vec3d, 5> corners{};  ///< of a polygon
   int corner_count = 0;            ///< of a polygon
   double radius_m = 0;
   double end_radius_m = 0;

@@ -11,7 +11,7 @@ namespace facet {
 /// Throws Error{config} unless all lengths are positive.
 void require_positive(std::initializer_list<double> lengths_m, const char* shape);
 
-/// A face of a polyhedron: 3 or 4 corners, counter-clockwise seen from outside.
+/// A face of a polyhedron: 3 to 5 corners, counter-clockwise seen from outside.
 struct PolyhedronFace {
   std::string name;
   std::vector<Vec3d> corners;

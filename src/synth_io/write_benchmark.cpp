@@ -1,0 +1,207 @@
+#include "synth_io/write_benchmark.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <opencv2/core.hpp>
+#include <thread>
+
+#include "core/error.hpp"
+#include "file/file_bytes.hpp"
+#include "file/image_file.hpp"
+#include "synth_io/checksums.hpp"
+#include "synth_io/scene_annotation.hpp"
+#include "truth/annotation.hpp"
+
+namespace facet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double depth_unit_m = 0.0001;
+constexpr const char* generator_version = "1";  ///< changes whenever the same spec gives other bytes
+
+cv::Mat depth_pixels(const Image<float>& depth_m) {
+  cv::Mat out(depth_m.height(), depth_m.width(), CV_16U);
+  for (int y = 0; y < out.rows; ++y) {
+    for (int x = 0; x < out.cols; ++x) {
+      out.at<std::uint16_t>(y, x) =
+          cv::saturate_cast<std::uint16_t>(std::lround(depth_m(x, y) / depth_unit_m));
+    }
+  }
+  return out;
+}
+
+cv::Mat colour_pixels(const Image<Rgb>& colour) {
+  cv::Mat out(colour.height(), colour.width(), CV_8UC3);
+  for (int y = 0; y < out.rows; ++y) {
+    for (int x = 0; x < out.cols; ++x) {
+      const Rgb c = colour(x, y);
+      out.at<cv::Vec3b>(y, x) = {c.b, c.g, c.r};
+    }
+  }
+  return out;
+}
+
+cv::Mat mask_pixels(const Image<std::uint16_t>& ids) {
+  cv::Mat out(ids.height(), ids.width(), CV_8U);
+  for (int y = 0; y < out.rows; ++y) {
+    for (int x = 0; x < out.cols; ++x) out.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(ids(x, y));
+  }
+  return out;
+}
+
+/// Writes the files of one frame; returns how many objects found no room.
+int write_frame(const SetSpec& set, const PlannedFrame& planned, const fs::path& folder) {
+  const PlannedPicture picture = make_planned(set, planned);
+  const Size size = picture.exact.depth_m.size();
+  const PosedScene posed(picture.view.scene, picture.view.T_world_camera);
+  SceneTruth truth = scene_truth(picture.view, posed, picture.exact, picture.camera);
+  add_occlusion(truth, picture.view, picture.camera, size);
+  write_png_file(folder / "depth" / (planned.id + ".png"), depth_pixels(picture.depth_m));
+  write_png_file(folder / "color" / (planned.id + ".png"), colour_pixels(picture.exact.colour));
+  write_png_file(folder / "truth" / (planned.id + ".objects.png"), mask_pixels(picture.exact.object_ids));
+  write_file_atomically(folder / "truth" / (planned.id + ".json"),
+                        annotation_text(truth_of(truth, picture.exact), planned.id + ".png"));
+  write_file_atomically(folder / "truth" / (planned.id + ".geometry.json"), geometry_text(truth, picture));
+  return picture.objects_requested - static_cast<int>(picture.view.scene.objects.size());
+}
+
+std::string sensor_name(Sensor sensor) {
+  return sensor == Sensor::azure_kinect ? "azure_kinect" : sensor == Sensor::stereo ? "stereo" : "kinect_v1";
+}
+
+std::string dataset_text(const SetSpec& set) {
+  const Camera c = set.sensor.camera();
+  const auto text = [](float v) {
+    std::string s = std::to_string(v);
+    return s.substr(0, s.find('.') + 2);
+  };
+  return "depth: \"depth/{id}.png\"\ncolor: \"color/{id}.png\"\ndepth_unit_m: 0.0001\nintrinsics: [" +
+         text(c.fx) + ", " + text(c.fy) + ", " + text(c.cx) + ", " + text(c.cy) +
+         "]\nregistered: true\nsequence: " + (set.frames > 1 ? "true" : "false") +
+         "\nsensor: " + sensor_name(set.sensor.model) + "\n";
+}
+
+/// One frame to write and what came of it.
+struct Task {
+  const SetSpec* set = nullptr;
+  PlannedFrame planned;
+  fs::path folder;
+  int missing_objects = 0;
+};
+
+/// Runs the tasks on `jobs` threads; the first error stops the rest and is thrown.
+void run_tasks(std::vector<Task>& tasks, int jobs, const std::function<void(std::size_t)>& progress) {
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  std::size_t done = 0;
+  const auto work = [&] {
+    for (std::size_t k = next++; k < tasks.size(); k = next++) {
+      try {
+        tasks[k].missing_objects = write_frame(*tasks[k].set, tasks[k].planned, tasks[k].folder);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!error) error = std::current_exception();
+        next = tasks.size();
+        return;
+      }
+      const std::lock_guard lock(mutex);
+      ++done;
+      if (progress) progress(done);
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int k = 1; k < jobs; ++k) threads.emplace_back(work);
+    work();
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+/// One line per frame in the layout of the TUM benchmark: timestamp tx ty tz qx qy qz qw, camera -> world.
+std::string pose_line(double timestamp_s, const RigidMotion& m) {
+  const double w = 0.5 * std::sqrt(std::max(0.0, 1 + m.ex.x + m.ey.y + m.ez.z));
+  const auto part = [&](double diagonal, double difference) {
+    return std::copysign(0.5 * std::sqrt(std::max(0.0, 1 + diagonal)), difference);
+  };
+  const double qx = part(m.ex.x - m.ey.y - m.ez.z, m.ey.z - m.ez.y),
+               qy = part(-m.ex.x + m.ey.y - m.ez.z, m.ez.x - m.ex.z),
+               qz = part(-m.ex.x - m.ey.y + m.ez.z, m.ex.y - m.ey.x);
+  char line[200];
+  std::snprintf(line, sizeof line, "%.6f %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n", timestamp_s, m.origin.x,
+                m.origin.y, m.origin.z, qx, qy, qz, w);
+  return line;
+}
+
+void write_folder_files(const Task& first, const std::vector<Task>& tasks) {
+  write_file_atomically(first.folder / "dataset.yaml", dataset_text(*first.set));
+  if (first.set->frames == 1) return;
+  std::string poses = "# timestamp_s tx ty tz qx qy qz qw (camera in the world)\n";
+  for (const Task& task : tasks) {
+    if (task.folder != first.folder) continue;
+    const PlannedPose pose = planned_pose(*task.set, task.planned);
+    poses += pose_line(pose.timestamp_s, pose.T_world_camera);
+  }
+  write_file_atomically(first.folder / "poses.txt", poses);
+}
+
+}  // namespace
+
+BenchmarkEstimate estimate_benchmark(const BenchmarkSpec& spec) {
+  BenchmarkEstimate estimate;
+  for (const SetSpec& set : spec.sets) {
+    const std::vector<PlannedFrame> frames = plan_frames(set);
+    const auto available = static_cast<std::size_t>(std::count_if(
+        frames.begin(), frames.end(), [](const PlannedFrame& f) { return f.not_available.empty(); }));
+    // A megapixel of depth, colour and truth takes about 1.1 MB and 1.2 s, a search for a Table 2 row 10 s.
+    const double megapixels =
+        1e-6 * static_cast<double>(set.sensor.size().area()) * static_cast<double>(available);
+    estimate.frames += available;
+    estimate.megabytes += 1.1 * megapixels;
+    estimate.seconds +=
+        1.2 * megapixels + (set.scenes == "table2" ? 10.0 * static_cast<double>(available) : 0);
+  }
+  return estimate;
+}
+
+BenchmarkSummary write_benchmark(const BenchmarkSpec& spec, const fs::path& out, int jobs,
+                                 const std::function<void(std::size_t)>& progress) {
+  std::error_code no_folder;
+  if (fs::exists(out) && !(fs::is_directory(out) && fs::is_empty(out, no_folder))) {
+    throw Error(ErrorKind::data, printable(out) + ": exists and is not an empty folder");
+  }
+  BenchmarkSummary summary;
+  std::vector<Task> tasks;
+  for (const SetSpec& set : spec.sets) {
+    for (PlannedFrame& planned : plan_frames(set)) {
+      const fs::path place = fs::path(set.name) / planned.sequence;
+      if (!planned.not_available.empty()) {
+        summary.not_available.push_back((place / planned.id).generic_string() + ": " + planned.not_available);
+        continue;
+      }
+      const fs::path folder = planned.sequence.empty() ? out / set.name : out / place;
+      tasks.push_back({&set, std::move(planned), folder});
+    }
+  }
+  run_tasks(tasks, jobs, progress);
+  for (const Task& task : tasks) {
+    if (summary.folders.empty() || summary.folders.back() != task.folder) {
+      summary.folders.push_back(task.folder);
+      write_folder_files(task, tasks);
+    }
+    if (task.missing_objects == 0) continue;
+    summary.shortfalls.push_back(printable(fs::relative(task.folder, out) / task.planned.id) +
+                                 ": no room for " + std::to_string(task.missing_objects) + " objects");
+  }
+  summary.frames = tasks.size();
+  write_file_atomically(out / "spec.yaml", spec.text);
+  write_file_atomically(out / "version.txt", std::string("generator ") + generator_version + "\n");
+  write_checksums(out);
+  return summary;
+}
+
+}  // namespace facet
