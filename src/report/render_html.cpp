@@ -1,3 +1,4 @@
+#include <cctype>
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
@@ -18,10 +19,11 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size
 caption { text-align: left; font-weight: 600; padding: .4rem 0; }
 th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; } th { background: var(--soft); font-weight: 600; }
+th:first-child, td:first-child { position: sticky; left: 0; background: Canvas; }
 .words td { text-align: left; white-space: normal; overflow-wrap: anywhere; } .words th { text-align: left; }
 td.part { padding-left: 1.8rem; opacity: .75; }
 .note { font-size: .86rem; opacity: .8; margin: .2rem 0; max-width: 60rem; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 20rem), 1fr)); gap: 1rem; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr)); gap: 1rem; }
 figure { margin: 0; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px; }
 figcaption { font-size: .85rem; overflow-wrap: anywhere; }
 )";
@@ -57,6 +59,17 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
+/// A relative path as a link: what is not plain is percent-encoded, '%' too.
+std::string url_path(std::string_view path) {
+  std::string url;
+  for (const char c : path) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) ||
+                       std::string_view("/._-").find(c) != std::string_view::npos;
+    url += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return url;
+}
+
 std::string cell(const std::string& text) {
   if (text.starts_with("  ")) return fmt::format("<td class=part>{}</td>", escaped(text.substr(2)));
   return fmt::format("<td>{}</td>", escaped(text));
@@ -89,8 +102,9 @@ std::string figure_html(const ReportPicture& picture, const std::filesystem::pat
   try {
     const std::string data = base64(read_file_bytes(file));
     return fmt::format(
-        "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
-        caption, data);
+        "<figure><a href=\"../{2}\"><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"></a>"
+        "<figcaption>{0}</figcaption></figure>\n",
+        caption, data, url_path(picture.file.generic_string()));
   } catch (const Error&) {  // a run whose pictures were deleted still has its numbers
     return fmt::format("<figure><figcaption>{}: no pictures kept</figcaption></figure>\n", caption);
   }

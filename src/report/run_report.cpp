@@ -39,9 +39,7 @@ ReportSection picture_section(const RunRecord& run) {
       continue;
     }
     for (const std::string& file : row.pictures)
-      section.pictures.push_back({fmt::format("{} / {} / {}: {}", row.dataset, row.frame, row.method,
-                                              std::filesystem::path(file).stem().string()),
-                                  file});
+      section.pictures.push_back({fmt::format("{} / {} / {}", row.dataset, row.frame, row.method), file});
   }
   if (section.pictures.empty()) section.paragraphs.push_back("no pictures kept");
   if (left_out > 0)
