@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #include "core/host_device.hpp"
 
@@ -29,7 +30,11 @@ struct ImageView {
   FACET_HD T& operator()(int x, int y) const { return data[static_cast<std::ptrdiff_t>(y) * stride + x]; }
   FACET_HD T* row(int y) const { return data + static_cast<std::ptrdiff_t>(y) * stride; }
   FACET_HD Size size() const { return {width, height}; }
-  FACET_HD operator ImageView<const T>() const { return {data, width, height, stride}; }
+  template <class U>
+    requires(!std::is_const_v<T> && std::is_same_v<U, const T>)
+  FACET_HD operator ImageView<U>() const {
+    return {data, width, height, stride};
+  }
 };
 
 /// Border rules. A pixel operation reads its neighbours through one of these policies, so that the executor can
