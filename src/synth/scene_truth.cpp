@@ -38,11 +38,9 @@ std::optional<Plane> plane_of(const PosedScene& posed, std::uint16_t surface_id)
 
 }  // namespace
 
-SceneTruth scene_truth(const View& view, const PosedScene& posed, const Rendering& exact,
-                       const Camera& camera, const EdgeWalk& walk) {
-  const Scene& scene = view.scene;
-  SceneTruth truth;
-  truth.edges = true_edges(scene, view.T_world_camera, posed, camera, exact.depth_m.size(), walk);
+std::vector<TrueFace> true_faces(const Scene& scene, const PosedScene& posed, const Rendering& exact,
+                                 const Camera& camera, const std::vector<TrueEdge>& edges) {
+  std::vector<TrueFace> faces;
   const auto sums = sum_faces(exact, camera, first_face_id(scene, scene.objects.size()));
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const SceneObject& object = scene.objects[k];
@@ -55,10 +53,18 @@ SceneTruth scene_truth(const View& view, const PosedScene& posed, const Renderin
       face.visible_px = sums[id].pixels;
       if (!face.curved) face.plane = plane_of(posed, id);
       face.centroid_m = to_float((1.0 / face.visible_px) * sums[id].point);
-      face.graspable = has_opposing_edges(truth.edges, id);
-      truth.faces.push_back(std::move(face));
+      face.graspable = has_opposing_edges(edges, id);
+      faces.push_back(std::move(face));
     }
   }
+  return faces;
+}
+
+SceneTruth scene_truth(const View& view, const PosedScene& posed, const Rendering& exact,
+                       const Camera& camera, const EdgeWalk& walk) {
+  SceneTruth truth;
+  truth.edges = true_edges(view.scene, view.T_world_camera, posed, camera, exact.depth_m.size(), walk);
+  truth.faces = true_faces(view.scene, posed, exact, camera, truth.edges);
   return truth;
 }
 

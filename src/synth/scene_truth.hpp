@@ -38,7 +38,11 @@ struct GraspCounts {
   friend bool operator==(const GraspCounts&, const GraspCounts&) = default;
 };
 
-/// Faces and edges of what `exact` shows; without occluded_share, which needs occlusion_of().
+/// The faces that `exact` shows; `edges` are those of the view and decide what is graspable. Without
+/// occluded_share.
+std::vector<TrueFace> true_faces(const Scene& scene, const PosedScene& posed, const Rendering& exact,
+                                 const Camera& camera, const std::vector<TrueEdge>& edges);
+/// Faces and edges of what `exact` shows; without occluded_share, which needs add_occlusion().
 SceneTruth scene_truth(const View& view, const PosedScene& posed, const Rendering& exact,
                        const Camera& camera, const EdgeWalk& walk = {});
 /// Sets occluded_share by rendering every object alone.

@@ -24,17 +24,30 @@ SceneRecipe recipe_of(const Table2Row& row) {
 }
 
 struct Evaluation {
-  GraspCounts counts;
+  GraspCounts counts{};
   double interacting = 0;
 };
 
-Evaluation evaluate(const Layout& layout, const Camera& camera, Size size, double step_px) {
+Evaluation evaluate(const Layout& layout, const Camera& camera, Size size) {
   const PosedScene posed(layout.view.scene, layout.view.T_world_camera);
   const Rendering exact = render(posed, camera, size);
+  return {grasp_counts(scene_truth(layout.view, posed, exact, camera)), interacting_share(layout, exact)};
+}
+
+/// The same from a picture of half the size and edges walked in steps of 1 px: near enough to guide the
+/// search.
+Evaluation estimate(const Layout& layout, const Camera& camera, Size size) {
+  const View& view = layout.view;
+  const PosedScene posed(view.scene, view.T_world_camera);
+  const Camera half{camera.fx / 2, camera.fy / 2, (camera.cx - 0.5f) / 2, (camera.cy - 0.5f) / 2};
+  const Rendering exact = render(posed, half, {size.width / 2, size.height / 2});
   EdgeWalk walk;
-  walk.step_px = step_px;
-  return {grasp_counts(scene_truth(layout.view, posed, exact, camera, walk)),
-          interacting_share(layout, exact)};
+  walk.step_px = 1;
+  SceneTruth truth;
+  truth.edges = true_edges(view.scene, view.T_world_camera, posed, camera, size, walk);
+  truth.faces = true_faces(view.scene, posed, exact, half, truth.edges);
+  for (TrueFace& face : truth.faces) face.visible_px *= 4;
+  return {grasp_counts(truth), interacting_share(layout, exact)};
 }
 
 int cost_of(const Evaluation& found, const Table2Row& row) {
@@ -90,22 +103,20 @@ double interacting_share(const Layout& layout, const Rendering& exact) {
 
 Layout table2_layout(const Table2Row& row, std::uint64_t seed, const Camera& camera, Size size,
                      int evaluations) {
-  constexpr double coarse_px = 1.0;
   constexpr int patience = 150;  // evaluations without a better layout before a fresh start
   SceneRecipe recipe = recipe_of(row);
   recipe.fewest = recipe.most = row.counts.objects;
-  const double fine_px = EdgeWalk{}.step_px;
   for (std::uint64_t start = 0; evaluations > 0; ++start) {
     Layout layout = random_layout(recipe, mix_bits(seed) ^ mix_bits(row.counts.edges), start, camera, size);
     --evaluations;
     if (static_cast<int>(layout.rests_on.size()) != row.counts.objects) continue;
     Draws draws(seed, mix_bits(start) ^ static_cast<std::uint64_t>(row.counts.surfaces));
-    int cost = cost_of(evaluate(layout, camera, size, coarse_px), row);
+    int cost = cost_of(estimate(layout, camera, size), row);
     for (int idle = 0; idle < patience && evaluations > 0; ++idle, --evaluations) {
-      if (cost == 0 && cost_of(evaluate(layout, camera, size, fine_px), row) == 0) return layout;
+      if (cost == 0 && cost_of(evaluate(layout, camera, size), row) == 0) return layout;
       Layout changed = layout;
       if (!exchange_one(recipe, camera, size, draws, changed)) continue;
-      const int changed_cost = cost_of(evaluate(changed, camera, size, coarse_px), row);
+      const int changed_cost = cost_of(estimate(changed, camera, size), row);
       if (changed_cost > cost) continue;
       if (changed_cost < cost) idle = 0;
       cost = changed_cost;

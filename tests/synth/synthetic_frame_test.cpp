@@ -39,6 +39,16 @@ TEST(SyntheticFrame, NoiseFreeFramesHoldTheExactDepth) {
   for (int x = 0; x < 640; ++x) ASSERT_EQ(frame.depth_m(x, 200), frame.exact.depth_m(x, 200));
 }
 
+TEST(SyntheticFrame, EveryFamilyCanBeNamedAndHasDistinctFrames) {
+  for (const std::string& scenes : synthetic_scene_sets()) {
+    const auto ids = frame_ids({.scenes = scenes});
+    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size()) << scenes;
+  }
+  const SyntheticFrame frame = make_frame({.scenes = "stacked_boxes"}, 3);
+  EXPECT_EQ(frame.id, "stacked_boxes_3");
+  EXPECT_GE(frame.view.scene.objects.size(), 4u);
+}
+
 TEST(SyntheticFrame, AnUnknownSetOrIndexIsAConfigError) {
   EXPECT_THROW(frame_ids({.scenes = "nonsense"}), Error);
   EXPECT_THROW(make_frame({.scenes = "plane_and_box"}, 1), Error);
