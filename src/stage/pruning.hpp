@@ -32,14 +32,14 @@ constexpr bool is_end_point(unsigned code) {
 }
 inline constexpr NeighbourTable end_point_table = make_neighbour_table(is_end_point);
 
-/// Whether a line meets the image border at (x, y) instead of running along it. It has no open end there: it bounds
-/// the regions on both of its sides.
+/// Whether a line whose end point is (x, y), with these neighbours, meets the image border there instead of running
+/// along it. It has no open end then: it bounds the regions on both of its sides.
 FACET_HD inline bool meets_image_border(Size size, int x, int y, unsigned code) {
   unsigned outside = 0;
   for (int i = 0; i < 8; ++i)
     if (!size.contains(x + neighbour8(i).dx, y + neighbour8(i).dy)) outside |= 1u << i;
   const unsigned beside_outside = outside << 1 | outside >> 7 | outside >> 1 | outside << 7;
-  return outside != 0 && (code & ~beside_outside) != 0;
+  return outside != 0 && code != 0 && (code & beside_outside) == 0;
 }
 
 /// Marks the end points of a line, but for those where it meets the image border.

@@ -46,6 +46,13 @@ inline Mask line_mask(Size size, std::uint64_t seed) {
   });
 }
 
+inline int count_set(const Mask& mask) {
+  int count = 0;
+  for (int y = 0; y < mask.height(); ++y)
+    for (int x = 0; x < mask.width(); ++x) count += mask(x, y) != 0;
+  return count;
+}
+
 /// visit(mask) for every awkward size: noise, blobs, lines, nothing set, all set.
 template <class Visit>
 void for_each_awkward_mask(const Visit& visit) {

@@ -20,11 +20,10 @@ inline Topology topology_of(const Image<std::uint8_t>& mask) {
           cv::connectedComponents(padded == 0, labels, 4) - 1};
 }
 
-inline int count_set(const Image<std::uint8_t>& mask) {
-  int count = 0;
-  for (int y = 0; y < mask.height(); ++y)
-    for (int x = 0; x < mask.width(); ++x) count += mask(x, y) != 0;
-  return count;
+/// Number of 4-connected regions that the set pixels and the image border bound.
+inline int count_regions(const Image<std::uint8_t>& mask) {
+  cv::Mat labels;
+  return cv::connectedComponents(padded_mat(mask, 0) == 0, labels, 4) - 1;
 }
 
 /// Number of 2x2 blocks of set pixels.
