@@ -50,10 +50,9 @@ std::set<int> groups_not_in(const Truth& truth, const cv::Mat& mask) {
   return groups;
 }
 
-void validate_file(const fs::path& file, ValidationReport& report) {
+void validate_file(const fs::path& file, const fs::path& mask_file, ValidationReport& report) {
   const std::vector<std::uint8_t> bytes = read_file_bytes(file);
   const std::string text(bytes.begin(), bytes.end());
-  const fs::path mask_file = fs::path(file).replace_extension(".objects.png");
   cv::Mat mask;
   if (fs::exists(mask_file)) mask = read_image_file(mask_file).pixels;
   const Size size = mask.empty() ? declared_size(text) : Size{mask.cols, mask.rows};
@@ -73,10 +72,14 @@ void validate_file(const fs::path& file, ValidationReport& report) {
 
 }  // namespace
 
-ValidationReport validate_annotations(const fs::path& folder) {
+ValidationReport validate_annotations(const fs::path& folder, const fs::path& mask_folder) {
   if (!fs::is_directory(folder)) throw Error(ErrorKind::data, printable(folder) + ": folder is missing");
   ValidationReport report;
-  for (const fs::path& file : annotations_below(folder)) validate_file(file, report);
+  for (const fs::path& file : annotations_below(folder)) {
+    const fs::path beside = fs::path(file).replace_extension(".objects.png");
+    const fs::path apart = mask_folder / file.filename().replace_extension(".png");
+    validate_file(file, mask_folder.empty() ? beside : apart, report);
+  }
   if (report.frames == 0)
     throw Error(ErrorKind::data, printable(folder) + ": no annotation (*.json) is here");
   return report;

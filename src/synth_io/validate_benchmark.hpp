@@ -14,10 +14,11 @@ struct ValidationReport {
 };
 
 /// Checks the annotations in a folder (and its subfolders): every `NAME.json` against every rule of the
-/// format, its size against the object mask `NAME.objects.png` or, without one, against its own imageWidth
-/// and imageHeight, and that each group_id has pixels in the mask. Error{data} where there is no annotation
-/// at all.
-ValidationReport validate_annotations(const std::filesystem::path& folder);
+/// format, its size against the object mask or, without one, against its own imageWidth and imageHeight, and
+/// that each group_id has pixels in the mask. Masks are `NAME.objects.png` beside the annotation, or
+/// `NAME.png` in `mask_folder` where that is given. Error{data} where there is no annotation at all.
+ValidationReport validate_annotations(const std::filesystem::path& folder,
+                                      const std::filesystem::path& mask_folder = {});
 
 /// The same for a written benchmark, and its checksums.
 ValidationReport validate_benchmark(const std::filesystem::path& folder);

@@ -10,7 +10,7 @@
 
 namespace facet {
 
-/// What writing a benchmark will cost, from its first frame; to be shown before writing.
+/// What writing a benchmark will cost, by rule of thumb; to be shown before writing.
 struct BenchmarkEstimate {
   std::size_t frames = 0;
   double megabytes = 0;

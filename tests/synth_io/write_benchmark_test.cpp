@@ -1,7 +1,9 @@
 #include "synth_io/write_benchmark.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "file/file_bytes.hpp"
@@ -53,6 +55,7 @@ TEST(WriteBenchmark, GivesTheSameBytesOnOneAndTwoThreadsAndPassesItsValidation) 
   EXPECT_EQ(report.frames, 6u);
   EXPECT_TRUE(report.problems.empty()) << report.problems[0];
   EXPECT_TRUE(fs::exists(folder.path() / "one/moving/cylindrical_000/poses.txt"));
+  EXPECT_EQ(one.shortfalls.size(), 0u);
 }
 
 TEST(WriteBenchmark, FramesOfASequenceDifferInNoiseAndShowTheSameScene) {
@@ -75,6 +78,31 @@ TEST(WriteBenchmark, FramesOfASequenceDifferInNoiseAndShowTheSameScene) {
   EXPECT_GT(differ, 100000);  // independent noise
   EXPECT_GT(appear, 100);     // borders of missing regions move
   EXPECT_LT(appear, 20000);
+}
+
+TEST(WriteBenchmark, PosesOfAMovingCameraLookAtTheSceneFromTheirPlaces) {
+  const TemporaryFolder folder;
+  const auto spec = parse_benchmark_spec(
+      "schema: 1\nname: s\nsets: [{name: s, scenes: boxes, frames: 3, path: {yaw_deg: 90}}]\n", "s.yaml");
+  write_benchmark(spec, folder.path() / "s", 1);
+  const auto bytes = read_file_bytes(folder.path() / "s/s/boxes_000/poses.txt");
+  std::istringstream lines(std::string(bytes.begin(), bytes.end()));
+  std::string line;
+  std::getline(lines, line);
+  double t, x, y, z, qx, qy, qz, qw, first_x = 0, first_y = 0;
+  int count = 0;
+  for (; lines >> t >> x >> y >> z >> qx >> qy >> qz >> qw; ++count) {
+    EXPECT_NEAR(t, count / 30.0, 1e-6);
+    EXPECT_NEAR(qx * qx + qy * qy + qz * qz + qw * qw, 1, 1e-6);
+    const double distance = std::hypot(x, y, z - 0.07);         // the scenes' middle is 7 cm above the table
+    EXPECT_NEAR(2 * (qx * qz + qy * qw), -x / distance, 1e-6);  // optical axis in the world
+    EXPECT_NEAR(2 * (qy * qz - qx * qw), -y / distance, 1e-6);
+    EXPECT_NEAR(1 - 2 * (qx * qx + qy * qy), -(z - 0.07) / distance, 1e-6);
+    if (count == 0) first_x = x, first_y = y;
+  }
+  ASSERT_EQ(count, 3);
+  EXPECT_NEAR(x, -first_y, 1e-6);  // a quarter turn
+  EXPECT_NEAR(y, first_x, 1e-6);
 }
 
 TEST(WriteBenchmark, ValidationNamesAChangedFileAndABrokenAnnotation) {
