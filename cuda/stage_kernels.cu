@@ -80,6 +80,7 @@ void compile_every_stage(LaunchOnlyExecutor& e, ImageView<float> f, ImageView<st
   unite(e, m, m, m);
   morphology(e, MorphologyParams{}, m, m, m);
   thin(e, m, m);
+  prune(e, PruningParams{}, f, m, PruningScratch{m, m, m});
   edge_kind(e, EdgeKindParams{}, c, f, f, f, m, m, m);
   label_components(e, f, m, i);
   give_back_pixels(e, 0.1f, 1.0f, d, f, l, m, l);

@@ -166,7 +166,8 @@ class PipelineBody {
     unite(executor_, b_.depth_edge.view(), b_.crease_edge.view(), b_.edge.view());
     morphology(executor_, params_.morphology, b_.edge.view(), b_.mask_a.view(), b_.mask_b.view());
     thin(executor_, b_.edge.view(), b_.mask_a.view());
-    prune(executor_, params_.pruning, b_.edge.view(), {b_.mask_a.view(), b_.mask_b.view(), b_.mask_c.view()});
+    prune(executor_, params_.pruning, b_.depth.view(), b_.edge.view(),
+          {b_.mask_a.view(), b_.mask_b.view(), b_.mask_c.view()});
     edge_kind(executor_, params_.edge_kind, camera_, b_.depth.view(), b_.gx.view(), b_.gy.view(),
               b_.depth_edge.view(), b_.edge.view(), b_.code.view());
   }
@@ -197,7 +198,7 @@ class PipelineBody {
   void validate_surfaces(FrameResult& result) {
     describe_surfaces(pixels_, result.labels.size(), result.edges.view(), result.surfaces);
     drop_invalid_surfaces(params_.validation, pixels_, result.labels.view(), result.surfaces, result.rejected);
-    if (result.surfaces.empty()) result.note = why_nothing_was_found(executor_.on_host(b_.averaged), result.rejected);
+    if (result.surfaces.empty()) result.note = why_nothing_was_found(executor_.on_host(b_.depth), result.rejected);
   }
 
   void estimate_poses(FrameResult& result) {  // section 4.2.4

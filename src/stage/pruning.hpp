@@ -42,17 +42,36 @@ FACET_HD inline bool meets_image_border(Size size, int x, int y, unsigned code) 
   return outside != 0 && code != 0 && (code & beside_outside) == 0;
 }
 
-/// Marks the end points of a line, but for those where it meets the image border.
-struct MarkEndPointOp {
-  static constexpr int radius = 0;
+/// Whether a line has an open end at (x, y). Where it meets the image border or missing depth, which bounds regions
+/// as an edge does, it has none.
+struct OpenEnd {
   NeighbourTable end_points;
+  ImageView<const float> depth_m;
+
+  FACET_HD bool operator()(int x, int y, unsigned code) const {
+    return end_points[code] && !meets_image_border(depth_m.size(), x, y, code) && !beside_missing(x, y);
+  }
+
+ private:
+  FACET_HD bool beside_missing(int x, int y) const {
+    for (int i = 0; i < 8; ++i) {
+      const int nx = x + neighbour8(i).dx, ny = y + neighbour8(i).dy;
+      if (depth_m.size().contains(nx, ny) && !(depth_m(nx, ny) > 0)) return true;
+    }
+    return false;
+  }
+};
+
+/// Marks the open ends of the edge mask.
+struct MarkOpenEndOp {
+  static constexpr int radius = 0;
+  OpenEnd open_end;
   ImageView<const std::uint8_t> edge;
   ImageView<std::uint8_t> mark;
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
-    const unsigned code = neighbour_code(edge, x, y);
-    mark(x, y) = end_points[code] && !meets_image_border(edge.size(), x, y, code);
+    mark(x, y) = open_end(x, y, neighbour_code(edge, x, y));
   }
 };
 
@@ -85,10 +104,11 @@ struct JoinOp {
 
 /// Removes end points `passes` times, all of one pass at once. `mark` must be zero and is left so.
 template <class Executor>
-void remove_end_points(Executor& executor, int passes, ImageView<std::uint8_t> edge, ImageView<std::uint8_t> mark) {
+void remove_open_ends(Executor& executor, int passes, const OpenEnd& open_end, ImageView<std::uint8_t> edge,
+                      ImageView<std::uint8_t> mark) {
   executor.take_changed();
   for (int pass = 0; pass < passes; ++pass) {
-    executor.for_each_set(edge, MarkEndPointOp{end_point_table, edge, mark});
+    executor.for_each_set(edge, MarkOpenEndOp{open_end, edge, mark});
     executor.for_each_set(edge, DeleteMarkedOp{edge, mark, executor.changed_flag()});
     if (!executor.take_changed()) break;
   }
@@ -100,21 +120,22 @@ struct PruningScratch {
 };
 
 /// Pruning of a thin edge mask in place (paper eq. 10; Gonzalez and Woods). `stability` removes every open branch:
-/// only closed loops, and lines between them or the image border, remain. `gonzalez` removes end points n times (X1),
+/// only closed loops, and lines between them, missing depth or the image border, remain. `gonzalez` removes end points n times (X1),
 /// finds the end points of what is left (X2), grows them back along the original n times (X3) and returns the union
 /// (X4): spurs of up to n pixels vanish, longer lines keep their length.
 template <class Executor>
-void prune(Executor& executor, const PruningParams& params, ImageView<std::uint8_t> edge,
-           const PruningScratch& scratch) {
+void prune(Executor& executor, const PruningParams& params, ImageView<const float> depth_m,
+           ImageView<std::uint8_t> edge, const PruningScratch& scratch) {
   if (params.mode == PruningMode::none) return;
+  const OpenEnd open_end{end_point_table, depth_m};
   executor.fill(scratch.mark, std::uint8_t{0});
   if (params.mode == PruningMode::stability) {
-    remove_end_points(executor, edge.width * edge.height, edge, scratch.mark);
+    remove_open_ends(executor, edge.width * edge.height, open_end, edge, scratch.mark);
     return;
   }
   executor.copy(ImageView<const std::uint8_t>(edge), scratch.original);
-  remove_end_points(executor, params.iterations, edge, scratch.mark);
-  executor.for_each_set(edge, MarkEndPointOp{end_point_table, edge, scratch.mark});
+  remove_open_ends(executor, params.iterations, open_end, edge, scratch.mark);
+  executor.for_each_set(edge, MarkOpenEndOp{open_end, edge, scratch.mark});
   executor.fill(scratch.grown, std::uint8_t{0});
   for (int i = 0; i < params.iterations; ++i) {
     executor.for_each_set(scratch.original, ConditionalDilationOp{scratch.mark, scratch.grown});

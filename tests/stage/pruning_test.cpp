@@ -17,7 +17,8 @@ constexpr PruningParams gonzalez(int n) {
 template <class Executor>
 Mask pruned(Executor& executor, const PruningParams& params, const Mask& mask) {
   Mask edge = mask, original(mask.size(), 9), mark(mask.size(), 9), grown(mask.size(), 9);
-  prune(executor, params, edge.view(), {original.view(), mark.view(), grown.view()});
+  const Image<float> depth(mask.size(), 1.0f);
+  prune(executor, params, depth.view(), edge.view(), {original.view(), mark.view(), grown.view()});
   return edge;
 }
 Mask pruned(const PruningParams& params, const Mask& mask) {
@@ -79,6 +80,23 @@ TEST(Pruning, ToStabilityKeepsALineFromOneImageBorderToAnother) {  // it bounds 
   EXPECT_TRUE(same_image(pruned(to_stability, line), line));
   line(20, 4) = 0;
   EXPECT_EQ(count_set(pruned(to_stability, line)), 0) << "with a gap it bounds nothing";
+}
+
+TEST(Pruning, ToStabilityKeepsALineBetweenTwoHolesInTheDepth) {  // missing depth bounds regions as an edge does
+  Mask line(Size{33, 9});
+  for (int x = 8; x < 25; ++x) line(x, 4) = 1;
+  Image<float> depth(line.size(), 1.0f);
+  for (int y = 0; y < 9; ++y) depth(7, y) = depth(25, y) = 0;
+  Mask edge = line, original(line.size()), mark(line.size()), grown(line.size());
+  CpuExecutor executor;
+  const auto prune_edge = [&] {
+    prune(executor, to_stability, depth.view(), edge.view(), {original.view(), mark.view(), grown.view()});
+  };
+  prune_edge();
+  EXPECT_TRUE(same_image(edge, line));
+  depth(7, 3) = depth(7, 4) = depth(7, 5) = 1;
+  prune_edge();
+  EXPECT_EQ(count_set(edge), 0) << "with one open end it bounds nothing";
 }
 
 TEST(Pruning, ToStabilityKeepsNoLineThatRunsAlongTheImageBorderAndRoundItsCorner) {

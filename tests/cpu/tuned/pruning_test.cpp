@@ -11,7 +11,8 @@ namespace {
 template <class Executor>
 Mask pruned(Executor& executor, const PruningParams& params, const Mask& mask) {
   Mask edge = mask, original(mask.size(), 9), mark(mask.size(), 9), grown(mask.size(), 9);
-  prune(executor, params, edge.view(), {original.view(), mark.view(), grown.view()});
+  const Image<float> depth(mask.size(), 1.0f);
+  prune(executor, params, depth.view(), edge.view(), {original.view(), mark.view(), grown.view()});
   return edge;
 }
 
