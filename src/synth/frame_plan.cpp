@@ -27,40 +27,6 @@ std::string level_text(double level) {
   return text;
 }
 
-const char* vary_text(Vary vary) {
-  switch (vary) {
-    case Vary::objects:
-      return "objects";
-    case Vary::noise:
-      return "noise";
-    case Vary::distance_m:
-      return "distance";
-    case Vary::object_scale:
-      return "scale";
-    case Vary::roll_deg:
-      return "roll";
-    case Vary::tilt_deg:
-      return "tilt";
-    case Vary::yaw_deg:
-      return "yaw";
-    case Vary::occlusion:
-      return "occlusion";
-    case Vary::dropout:
-      return "dropout";
-    case Vary::shadow:
-      return "shadow";
-    case Vary::reflectivity:
-      return "reflectivity";
-    case Vary::crease_deg:
-      return "crease";
-    case Vary::gap_mm:
-      return "gap";
-    case Vary::nothing:
-      break;
-  }
-  return "";
-}
-
 SceneRecipe recipe_at(const SetSpec& spec, double level) {
   SceneRecipe recipe = scene_family(spec.scenes);
   if (spec.vary == Vary::objects) recipe.fewest = recipe.most = static_cast<int>(level);
@@ -141,87 +107,17 @@ Image<float> measured(const SensorSettings& sensor, const Rendering& exact, cons
   }
 }
 
-void require(bool good, const SetSpec& spec, const std::string& rule) {
-  if (!good) throw Error(ErrorKind::config, "set '" + spec.name + "': " + rule);
-}
-
-void check(const SetSpec& spec) {
-  const bool special =
-      spec.scenes == "table2" || spec.scenes == "crease" || spec.scenes == "gap" || spec.scenes == "strips";
-  if (!special) scene_family(spec.scenes);
-  require(spec.count >= 1, spec, "count: at least 1");
-  require(spec.frames >= 1, spec, "frames: at least 1");
-  require((spec.vary == Vary::nothing) == spec.levels.empty(), spec,
-          "vary: needs levels, and levels need it");
-  require((spec.scenes == "crease") == (spec.vary == Vary::crease_deg), spec,
-          "scenes crease and vary crease_deg belong together");
-  require((spec.scenes == "gap") == (spec.vary == Vary::gap_mm), spec,
-          "scenes gap and vary gap_mm belong together");
-  const bool of_kinect = spec.vary == Vary::dropout || spec.vary == Vary::shadow;
-  require(!of_kinect || spec.sensor.model == Sensor::kinect_v1, spec,
-          "vary: dropout and shadow are those of kinect_v1");
-  require(spec.vary != Vary::reflectivity || spec.sensor.model == Sensor::azure_kinect, spec,
-          "vary: reflectivity is that of azure_kinect");
-  const bool of_recipe =
-      spec.vary == Vary::objects || spec.vary == Vary::object_scale || spec.vary == Vary::occlusion;
-  require(!special || !of_recipe, spec,
-          "vary: scenes " + spec.scenes + " have a fixed number and size of objects");
-}
-
 }  // namespace
 
-Camera SensorSettings::camera() const {
-  switch (model) {
-    case Sensor::azure_kinect:
-      return azure_kinect_camera();
-    case Sensor::stereo:
-      return stereo_camera();
-    default:
-      return kinect_v1_camera();
-  }
-}
-
-Size SensorSettings::size() const {
-  switch (model) {
-    case Sensor::azure_kinect:
-      return azure_kinect_size();
-    case Sensor::stereo:
-      return stereo_camera_size();
-    default:
-      return kinect_v1_size();
-  }
-}
-
-double SensorSettings::nearest_m() const {
-  switch (model) {
-    case Sensor::azure_kinect:
-      return azure_kinect.nearest_m;
-    case Sensor::stereo:
-      return stereo.nearest_m;
-    default:
-      return kinect_v1.nearest_m;
-  }
-}
-
-double SensorSettings::farthest_m() const {
-  switch (model) {
-    case Sensor::azure_kinect:
-      return azure_kinect.farthest_m;
-    case Sensor::stereo:
-      return stereo.farthest_m;
-    default:
-      return kinect_v1.farthest_m;
-  }
-}
-
 std::vector<PlannedFrame> plan_frames(const SetSpec& spec) {
-  check(spec);
+  check_set(spec);
   std::vector<PlannedFrame> frames;
   const std::vector<double> levels = spec.levels.empty() ? std::vector<double>{0} : spec.levels;
   for (const double level : levels) {
-    const std::string stem = spec.vary == Vary::nothing
-                                 ? spec.scenes
-                                 : std::string(vary_text(spec.vary)) + "_" + level_text(level);
+    const std::string stem =
+        spec.vary == Vary::nothing
+            ? spec.scenes
+            : vary_names()[static_cast<std::size_t>(spec.vary) - 1] + "_" + level_text(level);
     const bool in_range = spec.vary != Vary::distance_m ||
                           (level >= spec.sensor.nearest_m() && level <= spec.sensor.farthest_m());
     for (int scene = 0; scene < spec.count; ++scene) {

@@ -58,4 +58,10 @@ struct SetSpec {
   double path_distance_m = 0;  ///< and away from it
 };
 
+/// Names of what a set can vary, in the order of Vary after `nothing`; also in specs and in the ids of
+/// frames.
+const std::vector<std::string>& vary_names();
+/// Error{config} naming set, key and rule where the spec is impossible.
+void check_set(const SetSpec& spec);
+
 }  // namespace facet

@@ -54,9 +54,7 @@ void read_sensor(MapReader& reader, SensorSettings& sensor) {
 }
 
 void read_vary(MapReader& reader, SetSpec& set) {
-  static const std::vector<std::string> names{
-      "objects",   "noise",   "distance_m", "object_scale", "roll_deg",   "tilt_deg", "yaw_deg",
-      "occlusion", "dropout", "shadow",     "reflectivity", "crease_deg", "gap_mm"};
+  const std::vector<std::string>& names = vary_names();
   for (std::size_t k = 0; k < names.size(); ++k) {
     reader.numbers(names[k].c_str(), [&](const std::vector<double>& levels) {
       if (set.vary != Vary::nothing) reader.problem(names[k].c_str(), "a set varies one thing only");

@@ -1,73 +1,25 @@
 #include "synth_io/write_benchmark.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <exception>
 #include <mutex>
-#include <opencv2/core.hpp>
 #include <thread>
 
 #include "core/error.hpp"
 #include "file/file_bytes.hpp"
-#include "file/image_file.hpp"
+#include "synth/frame_plan.hpp"
 #include "synth_io/checksums.hpp"
-#include "synth_io/scene_annotation.hpp"
-#include "truth/annotation.hpp"
+#include "synth_io/frame_files.hpp"
 
 namespace facet {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double depth_unit_m = 0.0001;
 constexpr const char* generator_version = "1";  ///< changes whenever the same spec gives other bytes
-
-cv::Mat depth_pixels(const Image<float>& depth_m) {
-  cv::Mat out(depth_m.height(), depth_m.width(), CV_16U);
-  for (int y = 0; y < out.rows; ++y) {
-    for (int x = 0; x < out.cols; ++x) {
-      out.at<std::uint16_t>(y, x) =
-          cv::saturate_cast<std::uint16_t>(std::lround(depth_m(x, y) / depth_unit_m));
-    }
-  }
-  return out;
-}
-
-cv::Mat colour_pixels(const Image<Rgb>& colour) {
-  cv::Mat out(colour.height(), colour.width(), CV_8UC3);
-  for (int y = 0; y < out.rows; ++y) {
-    for (int x = 0; x < out.cols; ++x) {
-      const Rgb c = colour(x, y);
-      out.at<cv::Vec3b>(y, x) = {c.b, c.g, c.r};
-    }
-  }
-  return out;
-}
-
-cv::Mat mask_pixels(const Image<std::uint16_t>& ids) {
-  cv::Mat out(ids.height(), ids.width(), CV_8U);
-  for (int y = 0; y < out.rows; ++y) {
-    for (int x = 0; x < out.cols; ++x) out.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(ids(x, y));
-  }
-  return out;
-}
-
-/// Writes the files of one frame; returns how many objects found no room.
-int write_frame(const SetSpec& set, const PlannedFrame& planned, const fs::path& folder) {
-  const PlannedPicture picture = make_planned(set, planned);
-  const Size size = picture.exact.depth_m.size();
-  const PosedScene posed(picture.view.scene, picture.view.T_world_camera);
-  SceneTruth truth = scene_truth(picture.view, posed, picture.exact, picture.camera);
-  add_occlusion(truth, picture.view, picture.camera, size);
-  write_png_file(folder / "depth" / (planned.id + ".png"), depth_pixels(picture.depth_m));
-  write_png_file(folder / "color" / (planned.id + ".png"), colour_pixels(picture.exact.colour));
-  write_png_file(folder / "truth" / (planned.id + ".objects.png"), mask_pixels(picture.exact.object_ids));
-  write_file_atomically(folder / "truth" / (planned.id + ".json"),
-                        annotation_text(truth_of(truth, picture.exact), planned.id + ".png"));
-  write_file_atomically(folder / "truth" / (planned.id + ".geometry.json"), geometry_text(truth, picture));
-  return picture.objects_requested - static_cast<int>(picture.view.scene.objects.size());
-}
 
 std::string sensor_name(Sensor sensor) {
   return sensor == Sensor::azure_kinect ? "azure_kinect" : sensor == Sensor::stereo ? "stereo" : "kinect_v1";
@@ -102,7 +54,7 @@ void run_tasks(std::vector<Task>& tasks, int jobs, const std::function<void(std:
   const auto work = [&] {
     for (std::size_t k = next++; k < tasks.size(); k = next++) {
       try {
-        tasks[k].missing_objects = write_frame(*tasks[k].set, tasks[k].planned, tasks[k].folder);
+        tasks[k].missing_objects = write_frame_files(*tasks[k].set, tasks[k].planned, tasks[k].folder);
       } catch (...) {
         const std::lock_guard lock(mutex);
         if (!error) error = std::current_exception();

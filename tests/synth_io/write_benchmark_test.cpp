@@ -43,7 +43,7 @@ TEST(WriteBenchmark, GivesTheSameBytesOnOneAndTwoThreadsAndPassesItsValidation) 
   write_benchmark(spec, folder.path() / "two", 2);
   EXPECT_EQ(one.frames, 6u);
   EXPECT_EQ(last, 6u);
-  EXPECT_EQ(one.not_available, std::vector<std::string>{"far/distance_0.3_000: n/a (range)"});
+  EXPECT_EQ(one.not_available, std::vector<std::string>{"far/distance_m_0.3_000: n/a (range)"});
   EXPECT_EQ(one.folders.size(), 3u);
   const auto names = files_of(folder.path() / "one");
   ASSERT_EQ(names, files_of(folder.path() / "two"));

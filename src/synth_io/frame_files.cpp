@@ -1,0 +1,61 @@
+#include "synth_io/frame_files.hpp"
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "file/file_bytes.hpp"
+#include "file/image_file.hpp"
+#include "synth_io/scene_annotation.hpp"
+#include "truth/annotation.hpp"
+
+namespace facet {
+namespace {
+
+cv::Mat depth_pixels(const Image<float>& depth_m) {
+  cv::Mat out(depth_m.height(), depth_m.width(), CV_16U);
+  for (int y = 0; y < out.rows; ++y) {
+    for (int x = 0; x < out.cols; ++x) {
+      out.at<std::uint16_t>(y, x) =
+          cv::saturate_cast<std::uint16_t>(std::lround(depth_m(x, y) / depth_unit_m));
+    }
+  }
+  return out;
+}
+
+cv::Mat colour_pixels(const Image<Rgb>& colour) {
+  cv::Mat out(colour.height(), colour.width(), CV_8UC3);
+  for (int y = 0; y < out.rows; ++y) {
+    for (int x = 0; x < out.cols; ++x) {
+      const Rgb c = colour(x, y);
+      out.at<cv::Vec3b>(y, x) = {c.b, c.g, c.r};
+    }
+  }
+  return out;
+}
+
+cv::Mat mask_pixels(const Image<std::uint16_t>& ids) {
+  cv::Mat out(ids.height(), ids.width(), CV_8U);
+  for (int y = 0; y < out.rows; ++y) {
+    for (int x = 0; x < out.cols; ++x) out.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(ids(x, y));
+  }
+  return out;
+}
+
+}  // namespace
+
+int write_frame_files(const SetSpec& set, const PlannedFrame& planned, const std::filesystem::path& folder) {
+  const PlannedPicture picture = make_planned(set, planned);
+  const Size size = picture.exact.depth_m.size();
+  const PosedScene posed(picture.view.scene, picture.view.T_world_camera);
+  SceneTruth truth = scene_truth(picture.view, posed, picture.exact, picture.camera);
+  add_occlusion(truth, picture.view, picture.camera, size);
+  write_png_file(folder / "depth" / (planned.id + ".png"), depth_pixels(picture.depth_m));
+  write_png_file(folder / "color" / (planned.id + ".png"), colour_pixels(picture.exact.colour));
+  write_png_file(folder / "truth" / (planned.id + ".objects.png"), mask_pixels(picture.exact.object_ids));
+  write_file_atomically(folder / "truth" / (planned.id + ".json"),
+                        annotation_text(truth_of(truth, picture.exact), planned.id + ".png"));
+  write_file_atomically(folder / "truth" / (planned.id + ".geometry.json"), geometry_text(truth, picture));
+  return picture.objects_requested - static_cast<int>(picture.view.scene.objects.size());
+}
+
+}  // namespace facet

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "synth/frame_plan.hpp"
+
+namespace facet {
+
+/// Metres per unit of the depth images.
+inline constexpr double depth_unit_m = 0.0001;
+
+/// Makes a frame and writes its files below `folder`: depth/ID.png, color/ID.png, truth/ID.json (annotation),
+/// truth/ID.objects.png (object masks) and truth/ID.geometry.json. Returns how many objects found no room.
+int write_frame_files(const SetSpec& set, const PlannedFrame& planned, const std::filesystem::path& folder);
+
+}  // namespace facet
