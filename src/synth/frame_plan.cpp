@@ -12,7 +12,6 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 constexpr double special_distance_m = 0.9;
-const Vec3d middle{0, 0, 0.07};  // what the cameras of all layouts look at
 
 std::string numbered(const std::string& stem, int number) {
   const std::string digits = std::to_string(number);
@@ -57,16 +56,16 @@ Layout layout_of(const SetSpec& spec, const PlannedFrame& planned) {
 
 /// Camera at the given elevation and distance on its present side of the scene.
 RigidMotion seen_from(const RigidMotion& T_world_camera, double elevation_rad, double distance_m) {
-  const Vec3d away = T_world_camera.origin - middle;
+  const Vec3d away = T_world_camera.origin - scene_middle;
   const double flat = std::hypot(away.x, away.y);
   const Vec3d direction{std::cos(elevation_rad) * away.x / flat, std::cos(elevation_rad) * away.y / flat,
                         std::sin(elevation_rad)};
-  return look_at(middle + distance_m * direction, middle);
+  return look_at(scene_middle + distance_m * direction, scene_middle);
 }
 
 void move_camera(const SetSpec& spec, const PlannedFrame& planned, View& view) {
   RigidMotion& camera = view.T_world_camera;
-  const Vec3d away = camera.origin - middle;
+  const Vec3d away = camera.origin - scene_middle;
   double elevation = std::asin(away.z / norm(away)), distance = norm(away);
   if (spec.vary == Vary::distance_m) distance = planned.level;
   if (spec.vary == Vary::tilt_deg) elevation = planned.level * degree;

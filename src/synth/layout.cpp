@@ -102,9 +102,8 @@ Layout empty_layout(const SceneRecipe& recipe, Draws& draws) {
   layout.view.name = recipe.name;
   const double elevation = draws.uniform(recipe.lowest_deg, recipe.highest_deg) * degree;
   const double distance = draws.uniform(recipe.nearest_m, recipe.farthest_m);
-  const Vec3d target{0, 0, 0.07};
   layout.view.T_world_camera =
-      look_at(target + distance * Vec3d{0, -std::cos(elevation), std::sin(elevation)}, target);
+      look_at(scene_middle + distance * Vec3d{0, -std::cos(elevation), std::sin(elevation)}, scene_middle);
   return layout;
 }
 

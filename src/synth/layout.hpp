@@ -25,6 +25,9 @@ struct SceneRecipe {
          most_hidden = 1;  ///< range of the largest share of an object that others hide, 0..1
 };
 
+/// What the cameras of all layouts look at [m, world frame].
+inline constexpr Vec3d scene_middle{0, 0, 0.07};
+
 /// A view with what each object rests on or leans against: the index of an object, or -1 for the table.
 struct Layout {
   View view{};
