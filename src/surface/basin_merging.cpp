@@ -74,7 +74,7 @@ void BasinMerging::collect_borders(const BasinLandscape& l) {
     const int a = index_[static_cast<std::size_t>(here)], b = index_[static_cast<std::size_t>(there)];
     const bool known = l.distance_px(x0, y0) > l.guard_px && l.distance_px(x1, y1) > l.guard_px;
     const float strength = known ? std::max(l.strength(x0, y0), l.strength(x1, y1)) : 0.0f;
-    borders_.push_back({std::min(a, b), std::max(a, b), strength, known ? 1.0f : 0.0f, 0});
+    borders_.push_back({std::min(a, b), std::max(a, b), strength, known ? 1.0f : 0.0f, 0, 0});
   };
   for (int y = 0; y < l.basin.height; ++y)
     for (int x = 0; x < l.basin.width; ++x) {
@@ -85,13 +85,16 @@ void BasinMerging::collect_borders(const BasinLandscape& l) {
 
 /// Names the sides of every border by their present regions and joins borders between the same two.
 void BasinMerging::aggregate_borders() {
+  int place = 0;
   for (Border& border : borders_) {
     const int a = find(border.a), b = find(border.b);
     border.a = std::min(a, b), border.b = std::max(a, b);
+    border.place = place++;
   }
-  // Stable: the sums are floats, their order must not depend on the sort.
-  std::stable_sort(borders_.begin(), borders_.end(),
-                   [](const Border& l, const Border& r) { return std::tie(l.a, l.b) < std::tie(r.a, r.b); });
+  // By place too: the sums are floats, their order must not depend on the sort. (A stable sort would allocate.)
+  std::sort(borders_.begin(), borders_.end(), [](const Border& l, const Border& r) {
+    return std::tie(l.a, l.b, l.place) < std::tie(r.a, r.b, r.place);
+  });
   std::size_t kept = 0;
   for (const Border& border : borders_) {
     if (border.a == border.b) continue;

@@ -60,6 +60,7 @@ class BasinMerging {
     float strength_sum = 0;   ///< over pairs of pixels where it is known
     float strength_count = 0;
     float rise = 0;
+    int place = 0;            ///< in the order before sorting
   };
 
   void collect_basins(const BasinLandscape& landscape);

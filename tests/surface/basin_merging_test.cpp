@@ -1,0 +1,204 @@
+#include "surface/basin_merging.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "core/camera.hpp"
+#include "core/random.hpp"
+
+namespace facet {
+namespace {
+
+constexpr Size size{96, 64};
+constexpr double unit = 1.0 / 4194304;
+const Camera camera{200, 200, 47.5f, 31.5f};
+
+/// Sum of twelve uniform numbers: zero mean, unit variance.
+double normal_number(std::uint64_t seed, std::uint64_t index) {
+  double sum = -6;
+  for (std::uint64_t i = 0; i < 12; ++i) sum += random_uniform(seed, 5, 12 * index + i);
+  return sum;
+}
+
+/// Residual of the least-squares plane by Eigen's decomposition.
+double residual_by_eigen(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::MatrixXd a(points.size(), 3);
+  Eigen::VectorXd q(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    a.row(row) << 1, points[i].x(), points[i].y();
+    q(row) = points[i].z();
+  }
+  return (a * a.colPivHouseholderQr().solve(q) - q).squaredNorm();
+}
+
+TEST(PlaneMoments, TheResidualIsThatOfEigensLeastSquares) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    std::vector<Eigen::Vector3d> points;
+    PlaneMoments moments;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const double x = 320 * (random_uniform(seed, 1, i) - 0.5), y = 240 * (random_uniform(seed, 2, i) - 0.5);
+      const double q = 1.2 + 1e-3 * x - 5e-4 * y + 0.003 * normal_number(seed, i);
+      points.emplace_back(x, y, q);
+      moments.add(x, y, q);
+    }
+    const double expected = residual_by_eigen(points);
+    EXPECT_NEAR(moments.residual(), expected, 1e-6 * expected) << "seed " << seed;
+  }
+}
+
+TEST(PlaneMoments, TheSumsOfTwoPartsAreThoseOfTheWhole) {
+  PlaneMoments whole, left, right;
+  for (int i = 0; i < 50; ++i) {
+    const double x = i % 7, y = i / 7, q = 1 + 0.01 * x + 0.001 * i * i;
+    whole.add(x, y, q);
+    (i < 20 ? left : right).add(x, y, q);
+  }
+  left += right;
+  EXPECT_NEAR(left.residual(), whole.residual(), 1e-9);
+  EXPECT_EQ(left.n, whole.n);
+}
+
+TEST(PlaneMoments, APlaneFitsFewerThanFourPointsAndAPlaneExactly) {
+  PlaneMoments moments;
+  for (const auto& [x, y, q] : {std::tuple{0.0, 0.0, 1.0}, {3.0, 1.0, 2.0}, {-2.0, 5.0, 0.5}}) {
+    moments.add(x, y, q);
+    EXPECT_EQ(moments.residual(), 0);
+  }
+  PlaneMoments plane;
+  for (int i = 0; i < 100; ++i) plane.add(i % 10, i / 10, 1 + 0.02 * (i % 10) - 0.01 * (i / 10));
+  EXPECT_NEAR(plane.residual(), 0, 1e-9);
+}
+
+TEST(PlaneMoments, PointsOnALineAreAllowed) {
+  PlaneMoments moments;
+  for (int i = 0; i < 10; ++i) moments.add(i, 2 * i, 1);
+  EXPECT_NEAR(moments.residual(), 0, 1e-9);
+}
+
+/// Depth of a scene cut into square basins, with the crease strength that an ideal normal fit would give: the
+/// chord of the angle between the normals four pixels to the left and to the right.
+struct Landscape {
+  Image<std::int32_t> basin{size}, inverse_depth{size};
+  Image<float> strength{size};
+  Image<std::uint8_t> distance{size, 9};
+
+  Landscape(const std::function<double(double)>& depth_m,
+            const std::function<double(double)>& normal_angle_rad, double noise_m, int basin_px) {
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) {
+        const int index = y * size.width + x;
+        basin(x, y) = y / basin_px * basin_px * size.width + x / basin_px * basin_px;
+        const double z = depth_m(x) + noise_m * normal_number(3, static_cast<std::uint64_t>(index));
+        inverse_depth(x, y) = static_cast<std::int32_t>(1 / z / unit);
+        const double turn = normal_angle_rad(x + 4) - normal_angle_rad(x - 4);
+        const double jitter = 0.03 * random_uniform(9, 9, static_cast<std::uint64_t>(index));
+        strength(x, y) = static_cast<float>(2 * std::fabs(std::sin(turn / 2)) + jitter);
+      }
+  }
+  Image<std::int32_t> merged(const MergeCriteria& criteria = {}) const {
+    Image<std::int32_t> region;
+    BasinMerging().merge({basin.view(), inverse_depth.view(), unit, strength.view(), distance.view(), 3},
+                         criteria, kinect_v1_noise(), region);
+    return region;
+  }
+};
+
+int count_regions(const Image<std::int32_t>& region) {
+  std::set<std::int32_t> names;
+  for (int y = 0; y < region.height(); ++y)
+    for (int x = 0; x < region.width(); ++x)
+      if (region(x, y) >= 0) names.insert(region(x, y));
+  return static_cast<int>(names.size());
+}
+
+/// Depth at column x of the plane through (0, z0) whose normal is turned by `angle` about the vertical axis.
+double tilted_depth(double x, double z0_m, double angle_rad) {
+  const double u = (x - static_cast<double>(camera.cx)) / static_cast<double>(camera.fx);
+  return z0_m / (1 - u * std::tan(angle_rad));
+}
+
+Landscape roof(double crease_deg, double noise_m) {
+  const double half = crease_deg / 2 * M_PI / 180;
+  const auto angle = [half](double x) { return x < 48 ? half : -half; };
+  return {[=](double x) { return tilted_depth(x, 0.8, angle(x)); }, angle, noise_m, 8};
+}
+
+TEST(BasinMerging, TwoPlanesThatMeetAt30DegreesStayTwo) {
+  const Image<std::int32_t> region = roof(30, 0.001).merged();
+  EXPECT_EQ(count_regions(region), 2);
+  EXPECT_NE(region(10, 30), region(80, 30));
+  EXPECT_EQ(region(10, 10), region(30, 60));
+  EXPECT_EQ(region(60, 10), region(90, 60));
+}
+
+TEST(BasinMerging, OneNoisyPlaneBecomesOneRegion) {
+  EXPECT_EQ(count_regions(roof(0, 0.002).merged()), 1);
+  const auto tilt = [](double) { return 0.7; };
+  const Landscape steep([](double x) { return tilted_depth(x, 0.8, 0.7); }, tilt, 0.002, 8);
+  EXPECT_EQ(count_regions(steep.merged()), 1);
+}
+
+TEST(BasinMerging, ACylinderStaysOne) {
+  const double radius = 0.08, axis = 0.8;
+  const auto depth = [=](double x) {
+    const double u = (x - static_cast<double>(camera.cx)) / static_cast<double>(camera.fx), a = 1 + u * u;
+    const double root = axis * axis - a * (axis * axis - radius * radius);
+    return (axis - std::sqrt(std::max(root, 1e-6))) / a;
+  };
+  const auto normal = [=](double x) {
+    const double u = (x - static_cast<double>(camera.cx)) / static_cast<double>(camera.fx);
+    return std::asin(std::clamp(u * depth(x) / radius, -1.0, 1.0));
+  };
+  // Only the middle, where the cylinder fills the image's columns.
+  Landscape cylinder(depth, normal, 0.001, 8);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x)
+      if (x < 32 || x >= 64) cylinder.basin(x, y) = -1;
+  EXPECT_EQ(count_regions(cylinder.merged()), 1);
+}
+
+TEST(BasinMerging, AWeakBorderIsNoCreaseHoweverWellTwoPlanesFit) {
+  MergeCriteria criteria;
+  criteria.rise_deg = 40;
+  EXPECT_EQ(count_regions(roof(30, 0.001).merged(criteria)), 1);
+}
+
+TEST(BasinMerging, AStrongBorderBetweenPartsOfOnePlaneIsNoCrease) {
+  Landscape plane = roof(0, 0.001);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 46; x < 50; ++x) plane.strength(x, y) = 0.6f;
+  EXPECT_EQ(count_regions(plane.merged()), 1);
+}
+
+TEST(BasinMerging, WhatIsNoBasinStaysSoAndSeparates) {
+  Landscape plane = roof(0, 0.001);
+  for (int y = 0; y < size.height; ++y) plane.basin(48, y) = -1;
+  const Image<std::int32_t> region = plane.merged();
+  EXPECT_EQ(count_regions(region), 2);
+  EXPECT_EQ(region(48, 20), -1);
+}
+
+TEST(BasinMerging, ARegionIsNamedByTheSmallestOfItsBasins) {
+  const Image<std::int32_t> region = roof(30, 0.001).merged();
+  EXPECT_EQ(region(10, 30), 0);
+  EXPECT_EQ(region(80, 30), 48);
+}
+
+TEST(BasinMerging, IsTheSameForASecondFrame) {
+  const Landscape scene = roof(30, 0.001), other = roof(0, 0.002);
+  BasinMerging merging;
+  Image<std::int32_t> region;
+  for (const Landscape* l : {&scene, &other, &scene})
+    merging.merge({l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), l->distance.view(), 3},
+                  {}, kinect_v1_noise(), region);
+  const Image<std::int32_t> fresh = scene.merged();
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) ASSERT_EQ(region(x, y), fresh(x, y));
+}
+
+}  // namespace
+}  // namespace facet
