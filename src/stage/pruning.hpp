@@ -49,7 +49,8 @@ struct OpenEnd {
   ImageView<const float> depth_m;
 
   FACET_HD bool operator()(int x, int y, unsigned code) const {
-    return end_points[code] && !meets_image_border(depth_m.size(), x, y, code) && !beside_missing(x, y);
+    if (!end_points[code] || meets_image_border(depth_m.size(), x, y, code)) return false;
+    return code == 0 || !beside_missing(x, y);
   }
 
  private:
