@@ -32,34 +32,34 @@ constexpr bool is_end_point(unsigned code) {
 }
 inline constexpr NeighbourTable end_point_table = make_neighbour_table(is_end_point);
 
-/// Whether a line whose end point is (x, y), with these neighbours, meets the image border there instead of running
-/// along it. It has no open end then: it bounds the regions on both of its sides.
-FACET_HD inline bool meets_image_border(Size size, int x, int y, unsigned code) {
-  unsigned outside = 0;
-  for (int i = 0; i < 8; ++i)
-    if (!size.contains(x + neighbour8(i).dx, y + neighbour8(i).dy)) outside |= 1u << i;
-  const unsigned beside_outside = outside << 1 | outside >> 7 | outside >> 1 | outside << 7;
-  return outside != 0 && code != 0 && (code & beside_outside) == 0;
-}
-
-/// Whether a line has an open end at (x, y). Where it meets the image border or missing depth, which bounds regions
-/// as an edge does, it has none.
+/// Whether a line has an open end at (x, y), given the code of its neighbours: an end point that may go without
+/// joining two regions. The image border and missing depth bound regions as an edge does, so a line that meets them
+/// has no open end there, while one that runs along them has.
 struct OpenEnd {
   NeighbourTable end_points;
   ImageView<const float> depth_m;
 
   FACET_HD bool operator()(int x, int y, unsigned code) const {
-    if (!end_points[code] || meets_image_border(depth_m.size(), x, y, code)) return false;
-    return code == 0 || !beside_missing(x, y);
+    return end_points[code] && joins_one_region(code | barriers(x, y));
   }
 
  private:
-  FACET_HD bool beside_missing(int x, int y) const {
+  FACET_HD unsigned barriers(int x, int y) const {
+    unsigned code = 0;
     for (int i = 0; i < 8; ++i) {
       const int nx = x + neighbour8(i).dx, ny = y + neighbour8(i).dy;
-      if (depth_m.size().contains(nx, ny) && !(depth_m(nx, ny) > 0)) return true;
+      if (!depth_m.size().contains(nx, ny) || !(depth_m(nx, ny) > 0)) code |= 1u << i;
     }
-    return false;
+    return code;
+  }
+  /// Whether a pixel between these walls, when it goes, joins one run of open pixels: no regions merge, none arises.
+  FACET_HD static bool joins_one_region(unsigned walls) {
+    int runs = 0;
+    for (unsigned side = 0; side < 8; side += 2) {
+      const unsigned ahead = walls >> (side + 1) | walls >> (side + 2) % 8;
+      runs += !(walls >> side & 1u) && (ahead & 1u);
+    }
+    return runs == 1 || walls == 0;
   }
 };
 
@@ -121,9 +121,9 @@ struct PruningScratch {
 };
 
 /// Pruning of a thin edge mask in place (paper eq. 10; Gonzalez and Woods). `stability` removes every open branch:
-/// only closed loops, and lines between them, missing depth or the image border, remain. `gonzalez` removes end points n times (X1),
-/// finds the end points of what is left (X2), grows them back along the original n times (X3) and returns the union
-/// (X4): spurs of up to n pixels vanish, longer lines keep their length.
+/// only closed loops, and lines between them, missing depth or the image border, remain. `gonzalez` removes end points
+/// n times (X1), finds the end points of what is left (X2), grows them back along the original n times (X3) and
+/// returns the union (X4): spurs of up to n pixels vanish, longer lines keep their length.
 template <class Executor>
 void prune(Executor& executor, const PruningParams& params, ImageView<const float> depth_m,
            ImageView<std::uint8_t> edge, const PruningScratch& scratch) {

@@ -15,15 +15,18 @@ constexpr PruningParams gonzalez(int n) {
 }
 
 template <class Executor>
-Mask pruned(Executor& executor, const PruningParams& params, const Mask& mask) {
+Mask pruned(Executor& executor, const PruningParams& params, const Mask& mask, const Image<float>& depth) {
   Mask edge = mask, original(mask.size(), 9), mark(mask.size(), 9), grown(mask.size(), 9);
-  const Image<float> depth(mask.size(), 1.0f);
   prune(executor, params, depth.view(), edge.view(), {original.view(), mark.view(), grown.view()});
   return edge;
 }
-Mask pruned(const PruningParams& params, const Mask& mask) {
+Mask pruned(const PruningParams& params, const Mask& mask, const Image<float>& depth) {
   CpuExecutor executor;
-  return pruned(executor, params, mask);
+  return pruned(executor, params, mask, depth);
+}
+/// The same on a frame without missing depth.
+Mask pruned(const PruningParams& params, const Mask& mask) {
+  return pruned(params, mask, Image<float>(mask.size(), 1.0f));
 }
 
 /// A long horizontal line with a spur of `spur_px` pixels standing on its middle.
@@ -82,21 +85,36 @@ TEST(Pruning, ToStabilityKeepsALineFromOneImageBorderToAnother) {  // it bounds 
   EXPECT_EQ(count_set(pruned(to_stability, line)), 0) << "with a gap it bounds nothing";
 }
 
-TEST(Pruning, ToStabilityKeepsALineBetweenTwoHolesInTheDepth) {  // missing depth bounds regions as an edge does
+TEST(Pruning,
+     ToStabilityKeepsALineBetweenTwoHolesInTheDepth) {  // missing depth bounds regions as an edge does
   Mask line(Size{33, 9});
   for (int x = 8; x < 25; ++x) line(x, 4) = 1;
   Image<float> depth(line.size(), 1.0f);
   for (int y = 0; y < 9; ++y) depth(7, y) = depth(25, y) = 0;
-  Mask edge = line, original(line.size()), mark(line.size()), grown(line.size());
-  CpuExecutor executor;
-  const auto prune_edge = [&] {
-    prune(executor, to_stability, depth.view(), edge.view(), {original.view(), mark.view(), grown.view()});
-  };
-  prune_edge();
-  EXPECT_TRUE(same_image(edge, line));
+  EXPECT_TRUE(same_image(pruned(to_stability, line, depth), line));
   depth(7, 3) = depth(7, 4) = depth(7, 5) = 1;
-  prune_edge();
-  EXPECT_EQ(count_set(edge), 0) << "with one open end it bounds nothing";
+  EXPECT_EQ(count_set(pruned(to_stability, line, depth)), 0) << "with one open end it bounds nothing";
+}
+
+TEST(Pruning, ToStabilityKeepsNoLineThatRunsAlongAHoleInTheDepth) {
+  Mask line(Size{33, 9});
+  for (int x = 8; x < 25; ++x) line(x, 4) = 1;
+  const auto depth =
+      make_image<float>(line.size(), [](int x, int y) { return y > 4 && x > 3 && x < 29 ? 0 : 1; });
+  EXPECT_EQ(count_set(pruned(to_stability, line, depth)), 0);
+}
+
+TEST(Pruning, ToStabilityKeepsTheRegionsBetweenLinesAndHoles) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Mask lines = line_mask({83, 61}, seed);
+    const Mask measured = blob_mask({83, 61}, seed + 50, 20);
+    const auto depth = make_image<float>(lines.size(), [&](int x, int y) { return measured(x, y); });
+    const auto regions_bounded_by = [&](const Mask& edge) {
+      return count_regions(
+          make_image<std::uint8_t>(edge.size(), [&](int x, int y) { return edge(x, y) || !measured(x, y); }));
+    };
+    EXPECT_EQ(regions_bounded_by(pruned(to_stability, lines, depth)), regions_bounded_by(lines));
+  }
 }
 
 TEST(Pruning, ToStabilityKeepsNoLineThatRunsAlongTheImageBorderAndRoundItsCorner) {
@@ -152,9 +170,11 @@ TEST(Pruning, ModeNoneLeavesTheEdgesAsTheyAre) {
 TEST(Pruning, IsTheSameOnEveryExecutor) {
   for_each_awkward_mask([](const Mask& mask) {
     if (count_set(mask) > 60000) return;  // thick masks take hundreds of passes
-    expect_same_on_every_executor([&](auto& executor) { return pruned(executor, gonzalez(4), mask); });
+    const Image<float> depth = random_depth(mask.size(), 6);
+    expect_same_on_every_executor([&](auto& executor) { return pruned(executor, gonzalez(4), mask, depth); });
     if (mask.width() < 100)
-      expect_same_on_every_executor([&](auto& executor) { return pruned(executor, to_stability, mask); });
+      expect_same_on_every_executor(
+          [&](auto& executor) { return pruned(executor, to_stability, mask, depth); });
   });
 }
 
