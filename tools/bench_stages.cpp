@@ -1,0 +1,148 @@
+// Times every stage of the pipeline, and the whole of it, in the three shipped modes at four image sizes on
+// one core.
+//
+//   bench_stages                                        everything
+//   bench_stages --benchmark_filter=paper/wiener        one stage of one mode, at every size
+//   bench_stages --benchmark_filter='/total/640x480'    the whole pipeline at one size
+//
+// Names are mode/stage/size. A stage is timed where it stands in the pipeline, on the input that the stages
+// before it leave; "Time" is its wall time per frame ("CPU" means nothing here). Bytes are those of the
+// images that it reads and writes, each counted once per pass over it. The calibration block beside them is
+// the one that every run of `facet` times: compare machines by the ratio to it.
+#include <benchmark/benchmark.h>
+#include <fmt/core.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "cpu/cpu_pipeline.hpp"
+#include "experiment/calibration.hpp"
+#include "experiment/environment.hpp"
+#include "experiment/experiment_reader.hpp"
+#include "synth/synthetic_frame.hpp"
+
+namespace facet {
+namespace {
+
+constexpr int idle = -1;  ///< the stage does nothing in that mode
+
+/// Bytes per pixel that a stage moves in each mode; 0: it touches no whole image.
+struct StageTraffic {
+  StageId id;
+  std::map<std::string, int> bytes_per_px;
+};
+const std::vector<StageTraffic> traffic{
+    {StageId::temporal, {{"default", 32}, {"paper", 32}, {"naive", idle}}},
+    {StageId::fill, {{"default", 12}, {"paper", 12}, {"naive", 1}}},
+    {StageId::wiener, {{"default", 28}, {"paper", 36}, {"naive", idle}}},
+    {StageId::gradient, {{"default", 12}, {"paper", 12}, {"naive", 12}}},
+    {StageId::depth_strength, {{"default", 5}, {"paper", 17}, {"naive", 17}}},
+    {StageId::depth_canny, {{"default", idle}, {"paper", 15}, {"naive", 8}}},
+    {StageId::crease_strength, {{"default", 59}, {"paper", 41}, {"naive", 41}}},
+    {StageId::crease_canny, {{"default", 54}, {"paper", 8}, {"naive", 8}}},
+    {StageId::morphology, {{"default", 14}, {"paper", 43}, {"naive", 12}}},
+    {StageId::labelling, {{"default", 31}, {"paper", 31}, {"naive", 31}}},
+    {StageId::contours, {{"default", 15}, {"paper", 16}, {"naive", 15}}},
+    {StageId::validation, {{"default", 4}, {"paper", 4}, {"naive", 0}}},
+    {StageId::pose, {{"default", 0}, {"paper", 0}, {"naive", 0}}},
+};
+
+constexpr Size sizes[]{{320, 240}, {640, 480}, {640, 576}, {1280, 720}};
+constexpr int frames = 30;  ///< timed, after as many as the temporal average needs
+
+/// A quickstart scene as Kinect v1 would see it with that many pixels.
+struct Scene {
+  Camera camera;
+  Image<float> depth_m;
+};
+const Scene& scene_of(Size size) {
+  static std::map<std::pair<int, int>, Scene> scenes;
+  const auto [place, is_new] = scenes.try_emplace({size.width, size.height});
+  Scene& scene = place->second;
+  if (is_new) {
+    const float focal_px = 525.0f * static_cast<float>(size.width) / 640;
+    scene.camera = {focal_px, focal_px, static_cast<float>(size.width - 1) / 2,
+                    static_cast<float>(size.height - 1) / 2};
+    const View view = quickstart_views(1)[4];
+    const PosedScene posed(view.scene, view.T_world_camera);
+    scene.depth_m = measure({}, render(posed, scene.camera, size), scene.camera, 1);
+  }
+  return scene;
+}
+
+/// The times of `frames` frames of a running sequence, taken once per mode and size: its stages add up to its
+/// total.
+struct Recording {
+  std::vector<StageTimes> times;
+  std::size_t surfaces = 0;
+};
+const Recording& record(const MethodSpec& mode, Size size) {
+  static std::map<std::tuple<std::string, int, int>, Recording> recordings;
+  const auto [place, is_new] = recordings.try_emplace({mode.name, size.width, size.height});
+  Recording& recording = place->second;
+  if (!is_new) return recording;
+  const Scene& scene = scene_of(size);
+  const auto pipeline = make_cpu_pipeline(mode.params, 1);
+  FrameResult result;
+  for (int i = 0; i < mode.params.temporal.frames + frames; ++i) {
+    pipeline->process({scene.depth_m.view(), scene.camera}, result);
+    if (i >= mode.params.temporal.frames) recording.times.push_back(result.times);
+  }
+  recording.surfaces = result.surfaces.size();
+  return recording;
+}
+
+/// One benchmark; `time_of` picks the milliseconds that count.
+template <class TimeOf>
+void add(const MethodSpec& mode, std::string_view stage, Size size, int bytes_per_px, const TimeOf& time_of) {
+  const auto run = [mode, size, bytes_per_px, time_of](benchmark::State& state) {
+    const Recording& recording = record(mode, size);
+    std::size_t frame = 0;
+    for (auto _ : state) state.SetIterationTime(time_of(recording.times[frame++]) / 1000);
+    if (bytes_per_px > 0) state.SetBytesProcessed(state.iterations() * bytes_per_px * size.area());
+    state.counters["surfaces"] = static_cast<double>(recording.surfaces);
+  };
+  const std::string name = fmt::format("{}/{}/{}x{}", mode.name, stage, size.width, size.height);
+  benchmark::RegisterBenchmark(name.c_str(), run)
+      ->UseManualTime()
+      ->Iterations(frames)
+      ->Unit(benchmark::kMillisecond);
+}
+
+void add_mode(const MethodSpec& mode) {
+  for (const Size size : sizes) {
+    int total = 0;
+    for (const StageTraffic& row : traffic) {
+      const int bytes_per_px = row.bytes_per_px.at(mode.name);
+      const auto stage = static_cast<std::size_t>(index_of(row.id));
+      if (bytes_per_px == idle) continue;
+      total += bytes_per_px;
+      add(mode, stage_names[stage].key, size, bytes_per_px,
+          [stage](const StageTimes& t) { return t.stage_ms[stage]; });
+    }
+    add(mode, "total", size, total, [](const StageTimes& t) { return t.total_ms; });
+  }
+}
+
+void time_calibration(benchmark::State& state) {
+  for (auto _ : state) state.SetIterationTime(measure_calibration().median_ms / 1000);
+}
+
+}  // namespace
+}  // namespace facet
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  const auto environment = nlohmann::json::parse(facet::environment_json());
+  benchmark::AddCustomContext("cpu", environment.at("cpu").at("model").get<std::string>());
+  benchmark::RegisterBenchmark("calibration", facet::time_calibration)
+      ->UseManualTime()
+      ->Iterations(3)
+      ->Unit(benchmark::kMillisecond);
+  for (const facet::MethodSpec& mode :
+       facet::load_experiment(FACET_CONFIGS "/osd_methods.yaml").experiment.methods)
+    facet::add_mode(mode);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
