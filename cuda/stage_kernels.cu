@@ -1,5 +1,5 @@
-// Instantiates every stage with an executor that launches one generic kernel, which compiles each pixel operation
-// for the device. Not linked into anything.
+// Instantiates every stage with an executor that launches one generic kernel, which compiles each pixel
+// operation for the device. Not linked into anything.
 
 #include "core/launch.hpp"
 #include "stage/basins.hpp"
@@ -39,7 +39,8 @@ struct LaunchOnlyExecutor {
   };
   template <class Op>
   void for_each_pixel(Size size, const Op& op) {
-    const dim3 blocks(static_cast<unsigned>(Launch::blocks_x(size)), static_cast<unsigned>(Launch::blocks_y(size)));
+    const dim3 blocks(static_cast<unsigned>(Launch::blocks_x(size)),
+                      static_cast<unsigned>(Launch::blocks_y(size)));
     pixel_kernel<<<blocks, dim3(Launch::block_width, Launch::block_height)>>>(op, size);
   }
   template <class Op>
@@ -57,8 +58,9 @@ struct LaunchOnlyExecutor {
 };
 
 void compile_every_stage(LaunchOnlyExecutor& e, ImageView<float> f, ImageView<std::uint8_t> m,
-                         ImageView<std::int32_t> i, ImageView<Vec3> n, ImageView<std::uint16_t> l, const Camera& c,
-                         const DepthNoise& d, const TemporalHistory<LaunchOnlyExecutor>& history) {
+                         ImageView<std::int32_t> i, ImageView<Vec3> n, ImageView<std::uint16_t> l,
+                         const Camera& c, const DepthNoise& d,
+                         const TemporalHistory<LaunchOnlyExecutor>& history) {
   temporal_average(e, TemporalParams{}, d, history, f);
   fill_missing(e, FillParams{}, f, m, FillScratch{m, m, f});
   wiener(e, WienerParams{}, d, f, f, f, f);

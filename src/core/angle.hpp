@@ -6,8 +6,8 @@ namespace facet {
 
 inline constexpr float degrees_per_radian = 57.295779513f;
 
-/// Angle of (x, y) in (-pi, pi] from + - * / alone, so that it is the same to the bit on every back end; a minimax
-/// polynomial of degree 11 on [0, 1], absolute error below 1e-5 rad. (0, 0) gives 0.
+/// Angle of (x, y) in (-pi, pi] from + - * / alone, so that it is the same to the bit on every back end; a
+/// minimax polynomial of degree 11 on [0, 1], absolute error below 1e-5 rad. (0, 0) gives 0.
 FACET_HD inline float arctangent2(float y, float x) {
   const float ax = x < 0 ? -x : x;
   const float ay = y < 0 ? -y : y;

@@ -17,10 +17,16 @@ struct DepthNoise {
 };
 
 /// Kinect v1: axial noise of Nguyen, Izadi and Lovell, 3DIMPVT 2012.
-FACET_HD inline DepthNoise kinect_v1_noise() { return {0.0012f, 0.0019f, 0.4f}; }
+FACET_HD inline DepthNoise kinect_v1_noise() {
+  return {0.0012f, 0.0019f, 0.4f};
+}
 /// Azure Kinect, NFOV: assumption 0.6 mm + 0.5 mm z^2, under the data sheet's 17 mm at every range it gives.
-FACET_HD inline DepthNoise azure_kinect_noise() { return {0.0006f, 0.0005f, 0.0f}; }
+FACET_HD inline DepthNoise azure_kinect_noise() {
+  return {0.0006f, 0.0005f, 0.0f};
+}
 /// Active stereo, 50 mm baseline, f = 613 px, sub-pixel error 0.08 px: sigma = 0.08 z^2 / (f b) = 0.0026 z^2.
-FACET_HD inline DepthNoise stereo_noise() { return {0.0002f, 0.0026f, 0.0f}; }
+FACET_HD inline DepthNoise stereo_noise() {
+  return {0.0002f, 0.0026f, 0.0f};
+}
 
 }  // namespace facet

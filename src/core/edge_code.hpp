@@ -6,7 +6,8 @@
 
 namespace facet {
 
-/// Kinds of edges. The codes of an edge image are a kind plus, where a finger could reach, graspable_edge_bit.
+/// Kinds of edges. The codes of an edge image are a kind plus, where a finger could reach,
+/// graspable_edge_bit.
 enum class EdgeKind : std::uint8_t { none = 0, depth = 1, convex = 2, concave = 3 };
 inline constexpr std::uint8_t graspable_edge_bit = 16;
 

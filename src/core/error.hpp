@@ -14,8 +14,8 @@ enum class ErrorKind {
   internal,      ///< a broken promise of our own code, or a full disk: exit 70
 };
 
-/// The one exception type of the libraries: thrown for a broken contract or failed I/O, caught once in tools/.
-/// The message names the file (or key) and the rule that was broken.
+/// The one exception type of the libraries: thrown for a broken contract or failed I/O, caught once in
+/// tools/. The message names the file (or key) and the rule that was broken.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <new>
 #include <memory>
+#include <new>
 
 #include "core/image_view.hpp"
 
 namespace facet {
 
-/// Owning host image, row-major, rows padded to 64 bytes. Its memory is kept when it shrinks, so an image that is
-/// resized to the same size for every frame allocates once.
+/// Owning host image, row-major, rows padded to 64 bytes. Its memory is kept when it shrinks, so an image
+/// that is resized to the same size for every frame allocates once.
 template <class T>
 class Image {
  public:

@@ -31,15 +31,14 @@ struct ImageView {
   FACET_HD T* row(int y) const { return data + static_cast<std::ptrdiff_t>(y) * stride; }
   FACET_HD Size size() const { return {width, height}; }
   template <class U>
-    requires(!std::is_const_v<T> && std::is_same_v<U, const T>)
-  FACET_HD operator ImageView<U>() const {
+  requires(!std::is_const_v<T> && std::is_same_v<U, const T>) FACET_HD operator ImageView<U>() const {
     return {data, width, height, stride};
   }
 };
 
-/// Border rules. A pixel operation reads its neighbours through one of these policies, so that the executor can
-/// hand it `InteriorAccess` (no tests, vectorisable) where its whole neighbourhood lies inside the image, and
-/// `GuardedAccess` everywhere else. Both give the same values wherever both may be used.
+/// Border rules. A pixel operation reads its neighbours through one of these policies, so that the executor
+/// can hand it `InteriorAccess` (no tests, vectorisable) where its whole neighbourhood lies inside the image,
+/// and `GuardedAccess` everywhere else. Both give the same values wherever both may be used.
 struct InteriorAccess {
   template <class T>
   FACET_HD T clamped(const ImageView<T>& image, int x, int y) const {

@@ -7,8 +7,8 @@
 
 namespace facet {
 
-/// Union-find over the pixels of an image: each pixel holds the raster index of another pixel of its set, roots
-/// hold their own, -1 = in no set.
+/// Union-find over the pixels of an image: each pixel holds the raster index of another pixel of its set,
+/// roots hold their own, -1 = in no set.
 struct PixelForest {
   ImageView<std::int32_t> root;
 
@@ -31,7 +31,8 @@ struct PixelForest {
   }
 };
 
-/// Replaces every pointer by its root. Threads may see each other's results: both old and new lead to the root.
+/// Replaces every pointer by its root. Threads may see each other's results: both old and new lead to the
+/// root.
 struct FlattenForestOp {
   static constexpr int radius = 0;
   PixelForest forest;

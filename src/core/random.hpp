@@ -6,8 +6,9 @@
 
 namespace facet {
 
-/// Counter-based random numbers: a value depends on (seed, stream, index) alone, so that it is the same on every
-/// back end and in any order of evaluation. The mixing function is the finaliser of SplitMix64 (Steele et al. 2014).
+/// Counter-based random numbers: a value depends on (seed, stream, index) alone, so that it is the same on
+/// every back end and in any order of evaluation. The mixing function is the finaliser of SplitMix64 (Steele
+/// et al. 2014).
 FACET_HD inline std::uint64_t mix_bits(std::uint64_t v) {
   v += 0x9E3779B97F4A7C15ull;
   v = (v ^ (v >> 30)) * 0xBF58476D1CE4E5B9ull;

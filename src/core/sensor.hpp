@@ -7,8 +7,8 @@
 
 namespace facet {
 
-/// Sensors whose depth noise is known. `automatic` takes what the data set declares, and Kinect v1 (the paper's
-/// own test sensor) where it declares nothing.
+/// Sensors whose depth noise is known. `automatic` takes what the data set declares, and Kinect v1 (the
+/// paper's own test sensor) where it declares nothing.
 enum class Sensor { automatic, kinect_v1, azure_kinect, stereo };
 
 /// Their names, in order of the values, as configs and data sets spell them.
@@ -16,9 +16,12 @@ inline constexpr std::array<std::string_view, 4> sensor_names{"auto", "kinect_v1
 
 FACET_HD inline DepthNoise noise_of(Sensor sensor) {
   switch (sensor) {
-    case Sensor::azure_kinect: return azure_kinect_noise();
-    case Sensor::stereo: return stereo_noise();
-    default: return kinect_v1_noise();
+    case Sensor::azure_kinect:
+      return azure_kinect_noise();
+    case Sensor::stereo:
+      return stereo_noise();
+    default:
+      return kinect_v1_noise();
   }
 }
 

@@ -5,6 +5,7 @@
 #include "cpu/tuned/hysteresis.hpp"
 #include "cpu/tuned/labelling.hpp"
 #include "cpu/tuned/normals.hpp"
+#include "cpu/tuned/ownership.hpp"
 #include "cpu/tuned/pruning.hpp"
 #include "cpu/tuned/relocate.hpp"
 #include "cpu/tuned/thinning.hpp"

@@ -4,16 +4,16 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <vector>
-
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <vector>
 
 #include "core/image.hpp"
 #include "cpu/scratch.hpp"
 
-// A row loop is compiled for two instruction sets; the loader picks the better one that this processor has. Without
-// fused multiply-add (AVX2 does not imply it) both give the same results to the bit. Sanitizers start too late for it.
+// A row loop is compiled for two instruction sets; the loader picks the better one that this processor has.
+// Without fused multiply-add (AVX2 does not imply it) both give the same results to the bit. Sanitizers start
+// too late for it.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define FACET_CPU_CLONES [[gnu::target_clones("avx2", "default")]]
@@ -24,8 +24,8 @@
 namespace facet {
 
 /// Runs pixel operations on the CPU, in row bands when it has more than one thread. The loop is split into an
-/// interior that reads without border tests, so that it vectorises, and a guarded border; results depend neither
-/// on the split nor on the number of threads.
+/// interior that reads without border tests, so that it vectorises, and a guarded border; results depend
+/// neither on the split nor on the number of threads.
 ///
 /// A pixel operation `op` is a trivially copyable struct with `radius` (how far it reads) and
 /// `op(x, y, access)`; it writes its own pixel only.
@@ -44,8 +44,8 @@ class CpuExecutor {
     });
   }
 
-  /// op(x, y, access) for every pixel that is non-zero in `mask`; for sparse masks. The operation may clear its
-  /// own pixel of the mask, nothing else of it.
+  /// op(x, y, access) for every pixel that is non-zero in `mask`; for sparse masks. The operation may clear
+  /// its own pixel of the mask, nothing else of it.
   template <class Op>
   void for_each_set(ImageView<std::uint8_t> mask, const Op& op) {
     for_each_band(mask.height, [&](int begin, int end) {

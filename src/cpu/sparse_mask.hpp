@@ -7,9 +7,10 @@
 
 namespace facet {
 
-/// Working copy of a sparse 0/1 mask that knows the state of every pixel's eight neighbours (bit i = neighbour8(i))
-/// and keeps it up to date while pixels are deleted, so that rules on neighbourhoods cost one table look-up. Padded
-/// by one pixel on each side: no border tests. Pixels are named by their index in the padded image.
+/// Working copy of a sparse 0/1 mask that knows the state of every pixel's eight neighbours (bit i =
+/// neighbour8(i)) and keeps it up to date while pixels are deleted, so that rules on neighbourhoods cost one
+/// table look-up. Padded by one pixel on each side: no border tests. Pixels are named by their index in the
+/// padded image.
 class SparseMask {
  public:
   /// Copies the mask and lists its pixels.

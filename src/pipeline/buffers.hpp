@@ -22,10 +22,11 @@ struct Buffers {
   Image<std::uint16_t> label, owner;
 
   void resize(Size size) {
-    for (Image<float>* i : {&input, &depth, &averaged, &scratch_a, &scratch_b, &scratch_c, &gx, &gy, &strength})
+    for (Image<float>* i :
+         {&input, &depth, &averaged, &scratch_a, &scratch_b, &scratch_c, &gx, &gy, &strength})
       i->resize(size);
-    for (Image<std::uint8_t>* i : {&filled, &direction, &ridge, &depth_edge, &crease_edge, &edge, &distance, &mask_a,
-                                   &mask_b, &mask_c, &code})
+    for (Image<std::uint8_t>* i : {&filled, &direction, &ridge, &depth_edge, &crease_edge, &edge, &distance,
+                                   &mask_a, &mask_b, &mask_c, &code})
       i->resize(size);
     inverse_depth.resize(size);
     root.resize(size);

@@ -13,8 +13,8 @@ void check_frame(const FrameInput& frame) {
     throw Error(ErrorKind::data, "camera: focal lengths must be positive, got fx = " + std::to_string(c.fx) +
                                      ", fy = " + std::to_string(c.fy));
   if (!(std::isfinite(c.cx) && std::isfinite(c.cy)))
-    throw Error(ErrorKind::data, "camera: the principal point must be finite, got cx = " + std::to_string(c.cx) +
-                                     ", cy = " + std::to_string(c.cy));
+    throw Error(ErrorKind::data, "camera: the principal point must be finite, got cx = " +
+                                     std::to_string(c.cx) + ", cy = " + std::to_string(c.cy));
   for (int y = 0; y < frame.depth_m.height; ++y) {
     const float* row = frame.depth_m.row(y);
     bool good = true;

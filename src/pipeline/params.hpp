@@ -16,8 +16,8 @@
 
 namespace facet {
 
-/// Every parameter of the pipeline. The members' defaults are the toolkit's default mode; configs/modes/ holds the
-/// paper's literal choices and the naive recipe. Names, units and ranges: params_fields.hpp.
+/// Every parameter of the pipeline. The members' defaults are the toolkit's default mode; configs/modes/
+/// holds the paper's literal choices and the naive recipe. Names, units and ranges: params_fields.hpp.
 struct PipelineParams {
   Sensor sensor = Sensor::automatic;
   TemporalParams temporal;

@@ -13,26 +13,32 @@ struct FieldInfo {
   std::string_view unit;  ///< "" for a pure number or a switch
   double min = 0;         ///< inclusive; ignored for switches and enumerations
   double max = 0;
-  std::string_view doc;   ///< one line
-  bool odd = false;       ///< integers: only odd values
+  std::string_view doc;  ///< one line
+  bool odd = false;      ///< integers: only odd values
 };
 
-/// THE list of parameters: calls visit(key, member, info) for each. It drives the YAML reader, --set, the range
-/// checks and the generated documentation; a new parameter is added here and in its stage, nowhere else.
-/// Members are bool, int, float, or an enumeration with names in enum_names.hpp.
+/// THE list of parameters: calls visit(key, member, info) for each. It drives the YAML reader, --set, the
+/// range checks and the generated documentation; a new parameter is added here and in its stage, nowhere
+/// else. Members are bool, int, float, or an enumeration with names in enum_names.hpp.
 template <class Params, class Visitor>
 void visit_fields(Params& p, Visitor&& visit) {
   visit("sensor", p.sensor, FieldInfo{"", 0, 0, "noise model; automatic = what the data set declares"});
 
-  visit("temporal.enabled", p.temporal.enabled, FieldInfo{"", 0, 0, "average over past frames (sequences only)"});
+  visit("temporal.enabled", p.temporal.enabled,
+        FieldInfo{"", 0, 0, "average over past frames (sequences only)"});
   visit("temporal.mode", p.temporal.mode, FieldInfo{"", 0, 0, "mean (eq. 3) or robust mean"});
-  visit("temporal.frames", p.temporal.frames, FieldInfo{"frames", 1, 16, "window, the current frame included"});
+  visit("temporal.frames", p.temporal.frames,
+        FieldInfo{"frames", 1, 16, "window, the current frame included"});
 
   visit("fill.enabled", p.fill.enabled, FieldInfo{"", 0, 0, "fill missing depth (Algorithm 1)"});
-  visit("fill.prefer", p.fill.prefer, FieldInfo{"", 0, 0, "far = shadows are filled from their far side only"});
-  visit("fill.max_passes", p.fill.max_passes, FieldInfo{"passes", 0, 512, "one pixel is filled per pass and side"});
-  visit("fill.max_hole_px", p.fill.max_hole_px, FieldInfo{"px", 0, 4096, "widest hole that is filled, 0 = any"});
-  visit("fill.rim_jump", p.fill.rim_jump, FieldInfo{"m/m", 0, 1, "relative jump across a hole that makes a rim"});
+  visit("fill.prefer", p.fill.prefer,
+        FieldInfo{"", 0, 0, "far = shadows are filled from their far side only"});
+  visit("fill.max_passes", p.fill.max_passes,
+        FieldInfo{"passes", 0, 512, "one pixel is filled per pass and side"});
+  visit("fill.max_hole_px", p.fill.max_hole_px,
+        FieldInfo{"px", 0, 4096, "widest hole that is filled, 0 = any"});
+  visit("fill.rim_jump", p.fill.rim_jump,
+        FieldInfo{"m/m", 0, 1, "relative jump across a hole that makes a rim"});
   visit("fill.rim_search_px", p.fill.rim_search_px, FieldInfo{"px", 1, 256, "how far across a hole to look"});
 
   visit("wiener.enabled", p.wiener.enabled, FieldInfo{"", 0, 0, "adaptive Wiener filter (eq. 2)"});
@@ -45,40 +51,53 @@ void visit_fields(Params& p, Visitor&& visit) {
 
   visit("dd.mode", p.dd.mode, FieldInfo{"", 0, 0, "depth edges: jump test or the paper's Canny"});
   visit("dd.jump_ratio", p.dd.jump_ratio, FieldInfo{"m/m", 0, 1, "jump: least jump relative to depth"});
-  visit("dd.noise_sigmas", p.dd.noise_sigmas, FieldInfo{"sigma", 0, 100, "jump: least jump in noise deviations"});
-  visit("dd.high_per_px", p.dd.high_per_px, FieldInfo{"1/px", 0, 10, "canny: upper relative change per pixel"});
+  visit("dd.noise_sigmas", p.dd.noise_sigmas,
+        FieldInfo{"sigma", 0, 100, "jump: least jump in noise deviations"});
+  visit("dd.high_per_px", p.dd.high_per_px,
+        FieldInfo{"1/px", 0, 10, "canny: upper relative change per pixel"});
   visit("dd.low_per_px", p.dd.low_per_px, FieldInfo{"1/px", 0, 10, "canny: lower relative change per pixel"});
   visit("dd.relocate", p.dd.relocate, FieldInfo{"", 0, 0, "canny: move edges to the occluding side"});
 
-  visit("cd.mode", p.cd.mode, FieldInfo{"", 0, 0, "creases: normals, paper (eq. 6) or gaussian (section 3.2)"});
+  visit("cd.mode", p.cd.mode,
+        FieldInfo{"", 0, 0, "creases: normals, paper (eq. 6) or gaussian (section 3.2)"});
   visit("cd.angle", p.cd.angle, FieldInfo{"", 0, 0, "paper: atan2, or atan as printed"});
   visit("cd.weighted", p.cd.weighted, FieldInfo{"", 0, 0, "paper: damp directions below their own noise"});
   visit("cd.radius_px", p.cd.radius_px, FieldInfo{"px", 1, 16, "normals: half side of the fit window"});
   visit("cd.closure", p.cd.closure, FieldInfo{"", 0, 0, "closed lines between basins, or the paper's Canny"});
-  visit("cd.floor_deg", p.cd.floor_deg, FieldInfo{"deg", 0, 180, "basins: smaller changes are noise of the fits"});
-  visit("cd.rise_deg", p.cd.rise_deg, FieldInfo{"deg", 0, 180, "basins: least rise of a border over its sides"});
-  visit("cd.fit_ratio", p.cd.fit_ratio, FieldInfo{"", 0, 1000, "basins: least F ratio of two planes over one"});
+  visit("cd.floor_deg", p.cd.floor_deg,
+        FieldInfo{"deg", 0, 180, "basins: smaller changes are noise of the fits"});
+  visit("cd.rise_deg", p.cd.rise_deg,
+        FieldInfo{"deg", 0, 180, "basins: least rise of a border over its sides"});
+  visit("cd.fit_ratio", p.cd.fit_ratio,
+        FieldInfo{"", 0, 1000, "basins: least F ratio of two planes over one"});
   visit("cd.high_deg", p.cd.high_deg, FieldInfo{"deg", 0, 180, "upper threshold on the change of direction"});
   visit("cd.low_deg", p.cd.low_deg, FieldInfo{"deg", 0, 180, "lower threshold"});
   visit("cd.depth_guard_px", p.cd.depth_guard_px, FieldInfo{"px", 0, 16, "no crease this near a depth edge"});
 
-  visit("convexity", p.edge_kind.convexity, FieldInfo{"", 0, 0, "signed test, or Table 1's hessian as printed"});
+  visit("convexity", p.edge_kind.convexity,
+        FieldInfo{"", 0, 0, "signed test, or Table 1's hessian as printed"});
   visit("hessian_dead_band_per_m", p.edge_kind.hessian_dead_band_per_m,
         FieldInfo{"1/m", 0, 1000, "hessian: smaller curvature is undecided"});
 
   visit("morphology.mode", p.morphology.mode, FieldInfo{"", 0, 0, "none, bridge or paper (eqs 7-9)"});
-  visit("morphology.bridge_px", p.morphology.bridge_px, FieldInfo{"px", 0, 5, "bridge: dilation before thinning"});
-  visit("morphology.small_element_px", p.morphology.small_element_px, FieldInfo{"px", 3, 31, "paper: B2", true});
-  visit("morphology.large_element_px", p.morphology.large_element_px, FieldInfo{"px", 3, 63, "paper: B1", true});
+  visit("morphology.bridge_px", p.morphology.bridge_px,
+        FieldInfo{"px", 0, 5, "bridge: dilation before thinning"});
+  visit("morphology.small_element_px", p.morphology.small_element_px,
+        FieldInfo{"px", 3, 31, "paper: B2", true});
+  visit("morphology.large_element_px", p.morphology.large_element_px,
+        FieldInfo{"px", 3, 63, "paper: B1", true});
 
   visit("pruning.mode", p.pruning.mode, FieldInfo{"", 0, 0, "stability, gonzalez (eq. 10) or none"});
-  visit("pruning.iterations", p.pruning.iterations, FieldInfo{"px", 0, 100, "gonzalez: longest spur removed"});
+  visit("pruning.iterations", p.pruning.iterations,
+        FieldInfo{"px", 0, 100, "gonzalez: longest spur removed"});
 
   visit("contours", p.contours.mode, FieldInfo{"", 0, 0, "outlines of regions, or of the edge map (paper)"});
 
-  visit("validation.enabled", p.validation.enabled, FieldInfo{"", 0, 0, "drop regions that cannot be surfaces"});
+  visit("validation.enabled", p.validation.enabled,
+        FieldInfo{"", 0, 0, "drop regions that cannot be surfaces"});
   visit("validation.min_area_px", p.validation.min_area_px, FieldInfo{"px", 0, 1000000, "least area"});
-  visit("validation.min_size_mm", p.validation.min_size_mm, FieldInfo{"mm", 0, 1000, "least side at its depth"});
+  visit("validation.min_size_mm", p.validation.min_size_mm,
+        FieldInfo{"mm", 0, 1000, "least side at its depth"});
   visit("validation.min_width_px", p.validation.min_width_px, FieldInfo{"px", 0, 1000, "least mean width"});
   visit("validation.min_valid_share", p.validation.min_valid_share,
         FieldInfo{"", 0, 1, "least share of pixels with measured depth"});

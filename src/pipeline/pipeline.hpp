@@ -10,8 +10,8 @@ namespace facet {
 class Pipeline {
  public:
   virtual ~Pipeline() = default;
-  /// Segments one frame. `result` keeps its memory between calls. Throws Error{data} where depth is negative or
-  /// the camera cannot be right.
+  /// Segments one frame. `result` keeps its memory between calls. Throws Error{data} where depth is negative
+  /// or the camera cannot be right.
   virtual void process(const FrameInput& frame, FrameResult& result) = 0;
   /// Forgets past frames (start of another sequence).
   virtual void reset_history() = 0;

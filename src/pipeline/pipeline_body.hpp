@@ -20,8 +20,9 @@
 
 namespace facet {
 
-/// The whole pipeline, top to bottom, for any back end: the executor supplies images and loops, everything else is
-/// shared. Stages follow section 4.2 of the paper; which variant of each runs is a matter of parameters alone.
+/// The whole pipeline, top to bottom, for any back end: the executor supplies images and loops, everything
+/// else is shared. Stages follow section 4.2 of the paper; which variant of each runs is a matter of
+/// parameters alone.
 template <class Executor>
 class PipelineBody {
  public:
@@ -111,7 +112,8 @@ class PipelineBody {
   void rate_creases() {  // section 3.2 and eq. 6
     const CreaseScratch scratch{b_.scratch_a.view(), b_.scratch_b.view(), b_.scratch_c.view()};
     switch (params_.cd.mode) {
-      case CreaseMode::normals: return rate_creases_by_normals();
+      case CreaseMode::normals:
+        return rate_creases_by_normals();
       case CreaseMode::paper:
         return direction_change(executor_, params_.cd, gradient_noise_factor(params_.gradient.op), noise_,
                                 b_.depth.view(), b_.gx.view(), b_.gy.view(), scratch, b_.strength.view(),
@@ -124,8 +126,8 @@ class PipelineBody {
 
   void rate_creases_by_normals() {
     inverse_depth(executor_, b_.depth.view(), b_.inverse_depth.view());
-    edge_distance(executor_, b_.depth.view(), b_.depth_edge.view(), params_.cd.radius_px + 1, b_.distance.view(),
-                  b_.mask_a.view());
+    edge_distance(executor_, b_.depth.view(), b_.depth_edge.view(), params_.cd.radius_px + 1,
+                  b_.distance.view(), b_.mask_a.view());
     fit_normals(executor_, params_.cd.radius_px, camera_, b_.inverse_depth.view(), b_.distance.view(),
                 b_.normal.view());
     normal_change(executor_, params_.cd, b_.normal.view(), b_.distance.view(), b_.strength.view(),
@@ -134,7 +136,8 @@ class PipelineBody {
 
   void trace_creases() {  // section 4.2.1
     if (params_.cd.closure == CreaseClosure::basins) return trace_basins();
-    run_canny(crease_strength_of(params_.cd.low_deg), crease_strength_of(params_.cd.high_deg), b_.crease_edge);
+    run_canny(crease_strength_of(params_.cd.low_deg), crease_strength_of(params_.cd.high_deg),
+              b_.crease_edge);
   }
 
   /// Strength for an angle: fitted normals are compared by their chord, directions by degrees.
@@ -149,8 +152,11 @@ class PipelineBody {
     mark_off_floor(executor_, height, b_.mask_a.view());
     label_components(executor_, b_.depth.view(), b_.mask_a.view(), b_.root.view());
     crease_basins(executor_, height, b_.root.view());
-    const BasinLandscape landscape{executor_.on_host(b_.root), executor_.on_host(b_.inverse_depth),
-                                   1 / double{InverseDepthOp::units_per_inverse_metre}, executor_.on_host(b_.strength), executor_.on_host(b_.distance),
+    const BasinLandscape landscape{executor_.on_host(b_.root),
+                                   executor_.on_host(b_.inverse_depth),
+                                   1 / double{InverseDepthOp::units_per_inverse_metre},
+                                   executor_.on_host(b_.strength),
+                                   executor_.on_host(b_.distance),
                                    params_.cd.depth_guard_px};
     merging_.merge(landscape, MergeCriteria{params_.cd.rise_deg, params_.cd.fit_ratio}, noise_, regions_);
     executor_.upload(std::as_const(regions_).view(), b_.root.view());
@@ -174,9 +180,9 @@ class PipelineBody {
 
   void label_regions(FrameResult& result) {  // section 3.3: closed whatever the edges do
     label_components(executor_, b_.depth.view(), b_.edge.view(), b_.root.view());
-    const int count =
-        numbering_.number(executor_.on_host(b_.root), executor_.on_host(b_.depth), executor_.on_host(b_.filled), camera_,
-                          params_.validation, result.labels.view(), result.rejected);
+    const int count = numbering_.number(executor_.on_host(b_.root), executor_.on_host(b_.depth),
+                                        executor_.on_host(b_.filled), camera_, params_.validation,
+                                        result.labels.view(), result.rejected);
     executor_.upload(std::as_const(result.labels).view(), b_.label.view());
     give_back_pixels(executor_, params_.dd.jump_ratio, params_.dd.noise_sigmas, noise_, b_.depth.view(),
                      b_.label.view(), b_.mask_a.view(), b_.owner.view());
@@ -187,8 +193,9 @@ class PipelineBody {
   void trace_contours(FrameResult& result) {  // section 4.2.3
     executor_.download(b_.label.view(), result.labels.view());
     executor_.download(b_.code.view(), result.edges.view());
-    pixels_.collect(result.labels.view(), static_cast<int>(result.surfaces.size()), executor_.on_host(b_.depth),
-                    executor_.on_host(b_.filled), camera_, params_.pose.max_points);
+    pixels_.collect(result.labels.view(), static_cast<int>(result.surfaces.size()),
+                    executor_.on_host(b_.depth), executor_.on_host(b_.filled), camera_,
+                    params_.pose.max_points);
     if (params_.contours.mode == ContourMode::regions)
       trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
     else
@@ -197,8 +204,10 @@ class PipelineBody {
 
   void validate_surfaces(FrameResult& result) {
     describe_surfaces(pixels_, result.labels.size(), result.edges.view(), result.surfaces);
-    drop_invalid_surfaces(params_.validation, pixels_, result.labels.view(), result.surfaces, result.rejected);
-    if (result.surfaces.empty()) result.note = why_nothing_was_found(executor_.on_host(b_.depth), result.rejected);
+    drop_invalid_surfaces(params_.validation, pixels_, result.labels.view(), result.surfaces,
+                          result.rejected);
+    if (result.surfaces.empty())
+      result.note = why_nothing_was_found(executor_.on_host(b_.depth), result.rejected);
   }
 
   void estimate_poses(FrameResult& result) {  // section 4.2.4

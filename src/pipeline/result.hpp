@@ -36,7 +36,7 @@ struct FrameResult {
   Image<std::uint8_t> edges;    ///< edge kinds (see EdgeKind)
   std::vector<Surface> surfaces;
   std::vector<RejectedRegion> rejected;
-  std::string note;             ///< why there is no surface at all, empty otherwise
+  std::string note;  ///< why there is no surface at all, empty otherwise
   StageTimes times;
 };
 

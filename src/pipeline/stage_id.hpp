@@ -29,8 +29,8 @@ struct StageName {
   std::string_view column;  ///< column of the paper's Table 3 that the stage belongs to
 };
 
-/// Table 3 of the paper has one Canny column although Canny runs twice, and no column for the temporal average
-/// and the contour separation; ours splits the first and adds the others.
+/// Table 3 of the paper has one Canny column although Canny runs twice, and no column for the temporal
+/// average and the contour separation; ours splits the first and adds the others.
 inline constexpr std::array<StageName, stage_count> stage_names{{
     {StageId::temporal, "temporal", "Temporal"},
     {StageId::fill, "fill", "Fill"},
@@ -47,6 +47,8 @@ inline constexpr std::array<StageName, stage_count> stage_names{{
     {StageId::pose, "pose", "Pose"},
 }};
 
-constexpr int index_of(StageId id) { return static_cast<int>(id); }
+constexpr int index_of(StageId id) {
+  return static_cast<int>(id);
+}
 
 }  // namespace facet

@@ -8,10 +8,10 @@
 
 namespace facet {
 
-/// Height of the landscape that water runs down: the crease strength where it is known; where a depth edge is too
-/// near for it, above every known strength and falling away from the edge, so that such pixels are reached last and
-/// from the inside. Barriers (depth edges, missing pixels) are infinitely high.
-/// What lies below the floor, the noise of the fits, is level ground.
+/// Height of the landscape that water runs down: the crease strength where it is known; where a depth edge is
+/// too near for it, above every known strength and falling away from the edge, so that such pixels are
+/// reached last and from the inside. Barriers (depth edges, missing pixels) are infinitely high. What lies
+/// below the floor, the noise of the fits, is level ground.
 struct CreaseHeight {
   static constexpr float unknown = 4.0f;  ///< above the largest chord, 2
   static constexpr float barrier = 1e9f;
@@ -40,8 +40,9 @@ struct OffFloorOp {
   }
 };
 
-/// Points every pixel off the floor at the lowest of its 4-neighbours if that is lower (of equal heights, the earlier
-/// pixel is lower), so that following the pointers ends in a local minimum or on the floor. -1 on barriers.
+/// Points every pixel off the floor at the lowest of its 4-neighbours if that is lower (of equal heights, the
+/// earlier pixel is lower), so that following the pointers ends in a local minimum or on the floor. -1 on
+/// barriers.
 struct DescendOp {
   static constexpr int radius = 0;
   CreaseHeight height;
@@ -63,10 +64,10 @@ struct DescendOp {
   }
 };
 
-/// Catchment basins of the crease strength: a watershed by steepest descent, every pixel on its own, then pointer
-/// chasing. `root` holds, on entry, the connected parts of the floor as label_components names them (-1 elsewhere)
-/// and receives the raster index that names each pixel's basin, -1 on barriers. Basins meet on the ridges, so the
-/// lines between them are closed, which Canny's are not.
+/// Catchment basins of the crease strength: a watershed by steepest descent, every pixel on its own, then
+/// pointer chasing. `root` holds, on entry, the connected parts of the floor as label_components names them
+/// (-1 elsewhere) and receives the raster index that names each pixel's basin, -1 on barriers. Basins meet on
+/// the ridges, so the lines between them are closed, which Canny's are not.
 template <class Executor>
 void crease_basins(Executor& executor, const CreaseHeight& height, ImageView<std::int32_t> root) {
   executor.for_each_pixel(root.size(), DescendOp{height, root});
@@ -93,7 +94,8 @@ struct RegionBorderOp {
 };
 
 template <class Executor>
-void region_borders(Executor& executor, ImageView<const std::int32_t> region, ImageView<std::uint8_t> border) {
+void region_borders(Executor& executor, ImageView<const std::int32_t> region,
+                    ImageView<std::uint8_t> border) {
   executor.for_each_pixel(border.size(), RegionBorderOp{region, border});
 }
 

@@ -30,19 +30,20 @@ enum class CreaseClosure {
 struct CreaseParams {
   CreaseMode mode = CreaseMode::normals;
   CreaseAngle angle = CreaseAngle::atan2;  ///< paper mode only
-  bool weighted = true;       ///< paper mode: damp directions whose gradient is below its own noise
-  int radius_px = 4;          ///< normals: half side of the fit window [px], 1..16
+  bool weighted = true;  ///< paper mode: damp directions whose gradient is below its own noise
+  int radius_px = 4;     ///< normals: half side of the fit window [px], 1..16
   CreaseClosure closure = CreaseClosure::basins;  ///< basins needs mode normals
-  float floor_deg = 5.0f;     ///< basins: change of direction below this is noise of the fits [deg], 0..180
-  float rise_deg = 10.0f;     ///< basins: least rise of a border above the strength on both sides [deg], 0..180
-  float fit_ratio = 10.0f;    ///< basins: least gain of two planes over one, in units of the noise (F ratio), 0..1000
-  float high_deg = 25.0f;     ///< upper threshold on the change of direction across the pixel [deg], 0..180
-  float low_deg = 12.0f;      ///< lower threshold [deg], 0..180
-  int depth_guard_px = 3;     ///< no crease within this distance of a depth edge [px], 0..16
+  float floor_deg = 5.0f;  ///< basins: change of direction below this is noise of the fits [deg], 0..180
+  float rise_deg = 10.0f;  ///< basins: least rise of a border above the strength on both sides [deg], 0..180
+  float fit_ratio =
+      10.0f;  ///< basins: least gain of two planes over one, in units of the noise (F ratio), 0..1000
+  float high_deg = 25.0f;  ///< upper threshold on the change of direction across the pixel [deg], 0..180
+  float low_deg = 12.0f;   ///< lower threshold [deg], 0..180
+  int depth_guard_px = 3;  ///< no crease within this distance of a depth edge [px], 0..16
 };
 
-/// Unit direction of the depth gradient and how far it can be trusted. A gradient below float resolution has the
-/// direction (1, 0), what atan2(0, 0) = 0 means in eq. 6; missing pixels have weight 0.
+/// Unit direction of the depth gradient and how far it can be trusted. A gradient below float resolution has
+/// the direction (1, 0), what atan2(0, 0) = 0 means in eq. 6; missing pixels have weight 0.
 struct GradientDirectionOp {
   static constexpr int radius = 0;
   ImageView<const float> depth_m, gx, gy;
@@ -82,7 +83,8 @@ struct DirectionChangeOp {
     const float ax = along_x < 0 ? -along_x : along_x;
     const float ay = along_y < 0 ? -along_y : along_y;
     strength(x, y) = sqrtf(ax * ax + ay * ay);
-    // The sign of a turn by half a circle is arbitrary, so the two parts give a sector but no diagonal's sense.
+    // The sign of a turn by half a circle is arbitrary, so the two parts give a sector but no diagonal's
+    // sense.
     direction(x, y) = ax >= ay ? 0 : 2;
   }
 
@@ -99,9 +101,9 @@ struct DirectionChangeOp {
   }
 };
 
-/// Gaussian curvature of the depth surface times the area of a pixel at that depth: the solid angle, in rad^2, by
-/// which the normal turns within one pixel (section 3.2). Zero on every straight crease: one of the two principal
-/// curvatures vanishes there.
+/// Gaussian curvature of the depth surface times the area of a pixel at that depth: the solid angle, in
+/// rad^2, by which the normal turns within one pixel (section 3.2). Zero on every straight crease: one of the
+/// two principal curvatures vanishes there.
 struct GaussianCurvatureOp {
   static constexpr int radius = 1;
   ImageView<const float> depth_m, gx, gy;
@@ -121,7 +123,8 @@ struct GaussianCurvatureOp {
   }
 };
 
-/// Magnitude of the gradient of the Gaussian curvature, as an angle: root of its change over two pixels [deg].
+/// Magnitude of the gradient of the Gaussian curvature, as an angle: root of its change over two pixels
+/// [deg].
 struct CurvatureGradientOp {
   static constexpr int radius = 1;
   ImageView<const float> curvature;
@@ -137,9 +140,9 @@ struct CurvatureGradientOp {
   }
 };
 
-/// Angle between the normals on both sides of the pixel, `offset_px` away from it, the largest of four directions,
-/// as the chord |n1 - n2| = 2 sin(angle / 2): no arc cosine before a decision. Pixels near a depth edge or a hole
-/// (distance below `guard_px`) have strength 0.
+/// Angle between the normals on both sides of the pixel, `offset_px` away from it, the largest of four
+/// directions, as the chord |n1 - n2| = 2 sin(angle / 2): no arc cosine before a decision. Pixels near a
+/// depth edge or a hole (distance below `guard_px`) have strength 0.
 struct NormalChangeOp {
   static constexpr int radius = 16;
   ImageView<const Vec3> normal;
@@ -181,14 +184,15 @@ struct CreaseScratch {
 
 /// Crease strength from the direction of the depth gradient (paper eq. 6) [deg over two pixels].
 template <class Executor>
-void direction_change(Executor& executor, const CreaseParams& params, float gradient_noise, const DepthNoise& noise,
-                      ImageView<const float> depth_m, ImageView<const float> gx, ImageView<const float> gy,
-                      const CreaseScratch& scratch, ImageView<float> strength, ImageView<std::uint8_t> direction) {
+void direction_change(Executor& executor, const CreaseParams& params, float gradient_noise,
+                      const DepthNoise& noise, ImageView<const float> depth_m, ImageView<const float> gx,
+                      ImageView<const float> gy, const CreaseScratch& scratch, ImageView<float> strength,
+                      ImageView<std::uint8_t> direction) {
   const Size size = depth_m.size();
-  executor.for_each_pixel(
-      size, GradientDirectionOp{depth_m, gx, gy, params.weighted, gradient_noise, noise, scratch.a, scratch.b, scratch.c});
-  executor.for_each_pixel(size, DirectionChangeOp{scratch.a, scratch.b, scratch.c, params.angle == CreaseAngle::atan,
-                                                  strength, direction});
+  executor.for_each_pixel(size, GradientDirectionOp{depth_m, gx, gy, params.weighted, gradient_noise, noise,
+                                                    scratch.a, scratch.b, scratch.c});
+  executor.for_each_pixel(size, DirectionChangeOp{scratch.a, scratch.b, scratch.c,
+                                                  params.angle == CreaseAngle::atan, strength, direction});
 }
 
 /// Crease strength from the Gaussian curvature (paper section 3.2) [deg over two pixels].
@@ -205,8 +209,8 @@ template <class Executor>
 void normal_change(Executor& executor, const CreaseParams& params, ImageView<const Vec3> normal,
                    ImageView<const std::uint8_t> distance_px, ImageView<float> strength,
                    ImageView<std::uint8_t> direction) {
-  executor.for_each_pixel(normal.size(), NormalChangeOp{normal, distance_px, params.radius_px, params.depth_guard_px,
-                                                        strength, direction});
+  executor.for_each_pixel(normal.size(), NormalChangeOp{normal, distance_px, params.radius_px,
+                                                        params.depth_guard_px, strength, direction});
 }
 
 }  // namespace facet

@@ -17,14 +17,14 @@ enum class DepthEdgeMode {
 struct DepthEdgeParams {
   DepthEdgeMode mode = DepthEdgeMode::jump;
   float jump_ratio = 0.015f;   ///< jump: least jump relative to depth [m/m], 0..1
-  float noise_sigmas = 4.0f;  ///< jump: least jump in standard deviations of the sensor noise, 0..100
+  float noise_sigmas = 4.0f;   ///< jump: least jump in standard deviations of the sensor noise, 0..100
   float high_per_px = 0.010f;  ///< canny: upper threshold, relative depth change per pixel [1/px], 0..10
   float low_per_px = 0.005f;   ///< canny: lower threshold [1/px], 0..10
   bool relocate = true;        ///< canny: move edge pixels to the occluding (nearer) side
 };
 
-/// Strength for Canny: magnitude of the depth gradient relative to depth [1/px], so that one threshold fits near
-/// and far; direction: the direction4 nearest to the gradient. Missing pixels have strength 0.
+/// Strength for Canny: magnitude of the depth gradient relative to depth [1/px], so that one threshold fits
+/// near and far; direction: the direction4 nearest to the gradient. Missing pixels have strength 0.
 struct DepthGradientStrengthOp {
   static constexpr int radius = 0;
   ImageView<const float> depth_m, gx, gy;
@@ -40,9 +40,9 @@ struct DepthGradientStrengthOp {
   }
 };
 
-/// Depth discontinuity without Canny: a 4-neighbour lies deeper than the planes on both sides predict. Works in
-/// inverse depth, where a plane is exactly affine in pixels, so a steep plane is no jump. The mark is set on the
-/// nearer pixel: the occluding side owns the edge.
+/// Depth discontinuity without Canny: a 4-neighbour lies deeper than the planes on both sides predict. Works
+/// in inverse depth, where a plane is exactly affine in pixels, so a steep plane is no jump. The mark is set
+/// on the nearer pixel: the occluding side owns the edge.
 struct DepthJumpOp {
   static constexpr int radius = 3;
   ImageView<const float> depth_m;
@@ -74,14 +74,16 @@ struct DepthJumpOp {
     const float slope_max = near_slope > far_slope ? near_slope : far_slope;
     return (step - slope_max) * z * z > least_m;
   }
-  /// Fall of inverse depth per pixel over a baseline of two pixels, 0 where it is unknown, rises, or jumps itself.
+  /// Fall of inverse depth per pixel over a baseline of two pixels, 0 where it is unknown, rises, or jumps
+  /// itself.
   FACET_HD float slope(float from_m, float to_m, float jump_m) const {
     if (!(from_m > 0) || !(to_m > from_m) || to_m - from_m > 2 * jump_m) return 0;
     return 0.5f * (1 / from_m - 1 / to_m);
   }
 };
 
-/// Where the edge at (x, y) belongs: itself, or its neighbour along the gradient if that side is the nearer one.
+/// Where the edge at (x, y) belongs: itself, or its neighbour along the gradient if that side is the nearer
+/// one.
 struct OccludingSide {
   ImageView<const float> depth_m;
   ImageView<const std::uint8_t> direction;
@@ -104,8 +106,8 @@ struct OccludingSide {
   }
 };
 
-/// Moves Canny's edge pixels, which may fall on either side of a jump, to the occluding side (a gather: each pixel
-/// asks which of its neighbours move onto it).
+/// Moves Canny's edge pixels, which may fall on either side of a jump, to the occluding side (a gather: each
+/// pixel asks which of its neighbours move onto it).
 struct RelocateOp {
   static constexpr int radius = 1;
   ImageView<const std::uint8_t> edge;
@@ -127,14 +129,16 @@ struct RelocateOp {
 
 template <class Executor>
 void depth_gradient_strength(Executor& executor, ImageView<const float> depth_m, ImageView<const float> gx,
-                             ImageView<const float> gy, ImageView<float> strength, ImageView<std::uint8_t> direction) {
+                             ImageView<const float> gy, ImageView<float> strength,
+                             ImageView<std::uint8_t> direction) {
   executor.for_each_pixel(depth_m.size(), DepthGradientStrengthOp{depth_m, gx, gy, strength, direction});
 }
 
 template <class Executor>
 void depth_jumps(Executor& executor, const DepthEdgeParams& params, const DepthNoise& noise,
                  ImageView<const float> depth_m, ImageView<std::uint8_t> edge) {
-  executor.for_each_pixel(depth_m.size(), DepthJumpOp{depth_m, params.jump_ratio, params.noise_sigmas, noise, edge});
+  executor.for_each_pixel(depth_m.size(),
+                          DepthJumpOp{depth_m, params.jump_ratio, params.noise_sigmas, noise, edge});
 }
 
 template <class Executor>

@@ -42,11 +42,13 @@ struct RelaxDistanceOp {
   }
 };
 
-/// Chessboard distance [px] to the nearest depth edge, missing pixel or pixel outside the image, capped at `cap`:
-/// a square window of half side distance - 1 around the pixel is free of them. `scratch` is overwritten.
+/// Chessboard distance [px] to the nearest depth edge, missing pixel or pixel outside the image, capped at
+/// `cap`: a square window of half side distance - 1 around the pixel is free of them. `scratch` is
+/// overwritten.
 template <class Executor>
-void edge_distance(Executor& executor, ImageView<const float> depth_m, ImageView<const std::uint8_t> depth_edge,
-                   int cap, ImageView<std::uint8_t> distance_px, ImageView<std::uint8_t> scratch) {
+void edge_distance(Executor& executor, ImageView<const float> depth_m,
+                   ImageView<const std::uint8_t> depth_edge, int cap, ImageView<std::uint8_t> distance_px,
+                   ImageView<std::uint8_t> scratch) {
   ImageView<std::uint8_t> from = distance_px, to = scratch;
   if (cap % 2 == 1) std::swap(from, to);  // so that the last pass ends in distance_px
   executor.for_each_pixel(from.size(), BarrierOp{depth_m, depth_edge, static_cast<std::uint8_t>(cap), from});

@@ -20,10 +20,10 @@ struct EdgeKindParams {
   float hessian_dead_band_per_m = 1.0f;  ///< hessian: curvature below this is undecided [1/m], 0..1000
 };
 
-/// Signed test of a crease: over planes inverse depth is affine in pixels, so its second difference across the
-/// crease tells the sign. Negative = the surface bulges towards the camera = convex; this is the sign of
-/// (p2 - p1) . (n2 - n1) for normals towards the camera. Summed over distances 1 ... reach, in the direction where
-/// it is largest; samples stop at missing pixels and at depth edges.
+/// Signed test of a crease: over planes inverse depth is affine in pixels, so its second difference across
+/// the crease tells the sign. Negative = the surface bulges towards the camera = convex; this is the sign of
+/// (p2 - p1) . (n2 - n1) for normals towards the camera. Summed over distances 1 ... reach, in the direction
+/// where it is largest; samples stop at missing pixels and at depth edges.
 struct SecondDifference {
   static constexpr int reach = 6;
   ImageView<const float> depth_m;
@@ -53,9 +53,9 @@ struct SecondDifference {
   }
 };
 
-/// Table 1 of the paper as printed, with z = depth: the sign of the dominant eigenvalue of the Hessian, positive =
-/// concave. For depth, which grows away from the camera, that sign is reversed (a ball has a positive definite
-/// Hessian); kept for comparison. Returns the eigenvalue [1/m].
+/// Table 1 of the paper as printed, with z = depth: the sign of the dominant eigenvalue of the Hessian,
+/// positive = concave. For depth, which grows away from the camera, that sign is reversed (a ball has a
+/// positive definite Hessian); kept for comparison. Returns the eigenvalue [1/m].
 struct DominantHessianEigenvalue {
   ImageView<const float> depth_m, gx, gy;
   float focal_px;
@@ -73,9 +73,9 @@ struct DominantHessianEigenvalue {
   }
 };
 
-/// Gives every edge pixel its code. A pixel on or beside a depth edge is a depth edge; of the others, creases, the
-/// convexity decides, and what it leaves undecided counts as concave, for which no grasp is claimed. Graspable are
-/// depth edges (they stand on the occluding side) and convex creases.
+/// Gives every edge pixel its code. A pixel on or beside a depth edge is a depth edge; of the others,
+/// creases, the convexity decides, and what it leaves undecided counts as concave, for which no grasp is
+/// claimed. Graspable are depth edges (they stand on the occluding side) and convex creases.
 struct EdgeKindOp {
   static constexpr int radius = 0;
   ImageView<const std::uint8_t> depth_edge;
@@ -103,18 +103,25 @@ struct EdgeKindOp {
   }
   FACET_HD bool is_convex(int x, int y) const {
     if (!(second_difference.depth_m(x, y) > 0)) return false;
-    return convexity == Convexity::signed_test ? second_difference(x, y) < 0 : hessian(x, y) < -dead_band_per_m;
+    return convexity == Convexity::signed_test ? second_difference(x, y) < 0
+                                               : hessian(x, y) < -dead_band_per_m;
   }
 };
 
-/// Codes for the pixels set in `edge` (others are left 0). gx, gy: depth gradient [m/px], used by the Hessian only.
+/// Codes for the pixels set in `edge` (others are left 0). gx, gy: depth gradient [m/px], used by the Hessian
+/// only.
 template <class Executor>
-void edge_kind(Executor& executor, const EdgeKindParams& params, const Camera& camera, ImageView<const float> depth_m,
-               ImageView<const float> gx, ImageView<const float> gy, ImageView<const std::uint8_t> depth_edge,
-               ImageView<std::uint8_t> edge, ImageView<std::uint8_t> code) {
+void edge_kind(Executor& executor, const EdgeKindParams& params, const Camera& camera,
+               ImageView<const float> depth_m, ImageView<const float> gx, ImageView<const float> gy,
+               ImageView<const std::uint8_t> depth_edge, ImageView<std::uint8_t> edge,
+               ImageView<std::uint8_t> code) {
   executor.fill(code, std::uint8_t{0});
-  executor.for_each_set(edge, EdgeKindOp{depth_edge, params.convexity, {depth_m, depth_edge},
-                                         {depth_m, gx, gy, camera.fx}, params.hessian_dead_band_per_m, code});
+  executor.for_each_set(edge, EdgeKindOp{depth_edge,
+                                         params.convexity,
+                                         {depth_m, depth_edge},
+                                         {depth_m, gx, gy, camera.fx},
+                                         params.hessian_dead_band_per_m,
+                                         code});
 }
 
 }  // namespace facet

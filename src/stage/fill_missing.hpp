@@ -16,10 +16,10 @@ enum class FillPrefer {
 struct FillParams {
   bool enabled = true;
   FillPrefer prefer = FillPrefer::far;
-  int max_passes = 24;        ///< one pixel is filled per pass and side [passes], 0..512
-  int max_hole_px = 40;       ///< widest hole, along its row or column, that is filled; 0 = any [px], 0..4096
-  float rim_jump = 0.02f;     ///< relative depth jump across a hole that makes its near side a rim [m/m], 0..1
-  int rim_search_px = 48;     ///< how far across a hole the other side is looked for [px], 1..256
+  int max_passes = 24;     ///< one pixel is filled per pass and side [passes], 0..512
+  int max_hole_px = 40;    ///< widest hole, along its row or column, that is filled; 0 = any [px], 0..4096
+  float rim_jump = 0.02f;  ///< relative depth jump across a hole that makes its near side a rim [m/m], 0..1
+  int rim_search_px = 48;  ///< how far across a hole the other side is looked for [px], 1..256
 };
 
 /// Marks the missing pixels that belong to a hole narrow enough, along its row or its column, to be filled.
@@ -49,8 +49,8 @@ struct FillableOp {
   }
 };
 
-/// Marks the near rim of holes: measured pixels beside a hole on whose other side the depth is larger by more than
-/// the jump (the search of PCL's organized edge detection). A shadow is not filled from there.
+/// Marks the near rim of holes: measured pixels beside a hole on whose other side the depth is larger by more
+/// than the jump (the search of PCL's organized edge detection). A shadow is not filled from there.
 struct FillRimOp {
   static constexpr int radius = 1;
   ImageView<const float> depth_m;
@@ -65,7 +65,8 @@ struct FillRimOp {
     if (z > 0)
       for (int i = 0; i < 8; ++i) {
         const Offset d = neighbour8(i);
-        if (!(access.clamped(depth_m, x + d.dx, y + d.dy) > 0)) is_rim |= opposite_depth(x, y, d) > z * (1 + jump);
+        if (!(access.clamped(depth_m, x + d.dx, y + d.dy) > 0))
+          is_rim |= opposite_depth(x, y, d) > z * (1 + jump);
       }
     rim(x, y) = is_rim;
   }
@@ -81,19 +82,20 @@ struct FillRimOp {
   }
 };
 
-/// A window mean offered as filling, and how far it is from the neighbour that offers it. Nearer is better, of
-/// equally near ones the farther depth.
+/// A window mean offered as filling, and how far it is from the neighbour that offers it. Nearer is better,
+/// of equally near ones the farther depth.
 struct FillOffer {
   float mean_m = 0, distance_m = 1e30f;
 
   FACET_HD void take_better(const FillOffer& other) {
-    const bool better = other.distance_m < distance_m || (other.distance_m == distance_m && other.mean_m > mean_m);
+    const bool better =
+        other.distance_m < distance_m || (other.distance_m == distance_m && other.mean_m > mean_m);
     if (better) *this = other;
   }
 };
 
-/// What fills one pixel of a hole: among all measured neighbours b that are no rim and all nine 3x3 windows that
-/// contain b, the window mean nearest to b. 0 = no such neighbour yet.
+/// What fills one pixel of a hole: among all measured neighbours b that are no rim and all nine 3x3 windows
+/// that contain b, the window mean nearest to b. 0 = no such neighbour yet.
 struct FillCandidate {
   ImageView<const float> depth_m;
   ImageView<const std::uint8_t> rim;
@@ -132,7 +134,8 @@ struct FillCandidate {
   }
 };
 
-/// First half of a pass: candidates from the state before the pass, so that the order of pixels does not matter.
+/// First half of a pass: candidates from the state before the pass, so that the order of pixels does not
+/// matter.
 struct FillProposeOp {
   static constexpr int radius = 0;
   FillCandidate candidate;
@@ -176,14 +179,15 @@ void mark_holes(Executor& executor, const FillParams& params, ImageView<const fl
                 const FillScratch& scratch) {
   executor.for_each_pixel(depth_m.size(), FillableOp{depth_m, params.max_hole_px, scratch.open});
   if (params.prefer == FillPrefer::far)
-    executor.for_each_pixel(depth_m.size(), FillRimOp{depth_m, params.rim_jump, params.rim_search_px, scratch.rim});
+    executor.for_each_pixel(depth_m.size(),
+                            FillRimOp{depth_m, params.rim_jump, params.rim_search_px, scratch.rim});
   else
     executor.fill(scratch.rim, std::uint8_t{0});
 }
 
-/// Fills missing depth in place from the borders of each hole inwards, one pixel per pass (paper Algorithm 1 in its
-/// gather form: mean over valid pixels only, independent of the order of pixels). `filled` is set to 1 where a
-/// value was made up, 0 elsewhere.
+/// Fills missing depth in place from the borders of each hole inwards, one pixel per pass (paper Algorithm 1
+/// in its gather form: mean over valid pixels only, independent of the order of pixels). `filled` is set to 1
+/// where a value was made up, 0 elsewhere.
 template <class Executor>
 void fill_missing(Executor& executor, const FillParams& params, ImageView<float> depth_m,
                   ImageView<std::uint8_t> filled, const FillScratch& scratch) {
@@ -192,8 +196,8 @@ void fill_missing(Executor& executor, const FillParams& params, ImageView<float>
   executor.take_changed();
   for (int pass = 0; pass < params.max_passes; ++pass) {
     executor.for_each_set(scratch.open, FillProposeOp{{depth_m, scratch.rim}, scratch.proposal_m});
-    executor.for_each_set(scratch.open,
-                          FillAcceptOp{scratch.proposal_m, depth_m, scratch.open, filled, executor.changed_flag()});
+    executor.for_each_set(scratch.open, FillAcceptOp{scratch.proposal_m, depth_m, scratch.open, filled,
+                                                     executor.changed_flag()});
     if (!executor.take_changed()) break;
   }
 }

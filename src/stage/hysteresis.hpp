@@ -20,8 +20,8 @@ struct StrongRidgeOp {
   }
 };
 
-/// One pass: a weak pixel beside an edge becomes an edge. Passes may see each other's results in any order, as the
-/// set only grows towards the one fixed point.
+/// One pass: a weak pixel beside an edge becomes an edge. Passes may see each other's results in any order,
+/// as the set only grows towards the one fixed point.
 struct GrowEdgeOp {
   static constexpr int radius = 0;
   ImageView<std::uint8_t> ridge;

@@ -34,8 +34,9 @@ struct MergeComponentsOp {
   }
 };
 
-/// 4-connected components of the measured pixels off the 8-connected edge map: whatever the edges do, these regions
-/// are closed. `root` receives the raster index of the component's first pixel, -1 on edges and holes.
+/// 4-connected components of the measured pixels off the 8-connected edge map: whatever the edges do, these
+/// regions are closed. `root` receives the raster index of the component's first pixel, -1 on edges and
+/// holes.
 template <class Executor>
 void label_components(Executor& executor, ImageView<const float> depth_m, ImageView<const std::uint8_t> edge,
                       ImageView<std::int32_t> root) {

@@ -15,9 +15,9 @@ enum class MorphologyMode {
 
 struct MorphologyParams {
   MorphologyMode mode = MorphologyMode::none;
-  int bridge_px = 1;           ///< bridge: dilation that closes gaps before thinning [px], 0..5
-  int small_element_px = 3;    ///< paper: side of B2, odd [px], 3..31
-  int large_element_px = 11;   ///< paper: side of B1, odd [px], 3..63
+  int bridge_px = 1;          ///< bridge: dilation that closes gaps before thinning [px], 0..5
+  int small_element_px = 3;   ///< paper: side of B2, odd [px], 3..31
+  int large_element_px = 11;  ///< paper: side of B1, odd [px], 3..63
 };
 
 /// Dilation or erosion of a 0/1 mask by the 3x3 square. The image continues beyond its edge as on it.
@@ -67,7 +67,8 @@ void unite(Executor& executor, ImageView<const std::uint8_t> a, ImageView<const 
 
 /// Dilation (or erosion) by the (2 steps + 1)^2 square, in place; `scratch` is overwritten.
 template <bool dilate, class Executor>
-void square_steps(Executor& executor, int steps, ImageView<std::uint8_t>& mask, ImageView<std::uint8_t>& scratch) {
+void square_steps(Executor& executor, int steps, ImageView<std::uint8_t>& mask,
+                  ImageView<std::uint8_t>& scratch) {
   for (int i = 0; i < steps; ++i) {
     executor.for_each_pixel(mask.size(), Square3Op<dilate>{mask, scratch});
     std::swap(mask, scratch);
@@ -76,14 +77,16 @@ void square_steps(Executor& executor, int steps, ImageView<std::uint8_t>& mask, 
 
 /// Opening by the square of odd side `side_px`: what cannot hold the square vanishes.
 template <class Executor>
-void open_square(Executor& executor, int side_px, ImageView<std::uint8_t>& mask, ImageView<std::uint8_t>& scratch) {
+void open_square(Executor& executor, int side_px, ImageView<std::uint8_t>& mask,
+                 ImageView<std::uint8_t>& scratch) {
   square_steps<false>(executor, side_px / 2, mask, scratch);
   square_steps<true>(executor, side_px / 2, mask, scratch);
 }
 
-/// Smooths the edge mask `edge` in place; it is to be thinned afterwards. `bridge` mode dilates, so that gaps of up
-/// to 2 bridge_px close. `paper` mode is the band-pass of eqs 7-9 on the dilated contours, opening by B2 less
-/// opening by B1: it keeps what is at least B2 and less than B1 thick (undilated lines would vanish in both).
+/// Smooths the edge mask `edge` in place; it is to be thinned afterwards. `bridge` mode dilates, so that gaps
+/// of up to 2 bridge_px close. `paper` mode is the band-pass of eqs 7-9 on the dilated contours, opening by
+/// B2 less opening by B1: it keeps what is at least B2 and less than B1 thick (undilated lines would vanish
+/// in both).
 template <class Executor>
 void morphology(Executor& executor, const MorphologyParams& params, ImageView<std::uint8_t> edge,
                 ImageView<std::uint8_t> scratch_a, ImageView<std::uint8_t> scratch_b) {

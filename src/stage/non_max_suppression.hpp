@@ -5,7 +5,6 @@
 #include "core/image_view.hpp"
 #include "core/neighbours.hpp"
 #include "stage/ridge.hpp"
-#include "stage/ridge.hpp"
 
 namespace facet {
 
@@ -32,11 +31,12 @@ struct NonMaxSuppressionOp {
   }
 };
 
-/// Canny's second step (paper section 4.2.1): ridges of `strength` along `direction` (a direction4 per pixel, across
-/// the edge), split by two thresholds in the unit of `strength`.
+/// Canny's second step (paper section 4.2.1): ridges of `strength` along `direction` (a direction4 per pixel,
+/// across the edge), split by two thresholds in the unit of `strength`.
 template <class Executor>
-void non_max_suppression(Executor& executor, ImageView<const float> strength, ImageView<const std::uint8_t> direction,
-                         float low, float high, ImageView<std::uint8_t> ridge) {
+void non_max_suppression(Executor& executor, ImageView<const float> strength,
+                         ImageView<const std::uint8_t> direction, float low, float high,
+                         ImageView<std::uint8_t> ridge) {
   executor.for_each_pixel(strength.size(), NonMaxSuppressionOp{strength, direction, low, high, ridge});
 }
 

@@ -8,8 +8,8 @@
 
 namespace facet {
 
-/// Inverse depth in fixed point, so that sums over windows are exact in any order: unit 2^-22 per metre, that is
-/// 0.24 um at 1 m; depths below 2 cm are taken as 2 cm. 0 = missing.
+/// Inverse depth in fixed point, so that sums over windows are exact in any order: unit 2^-22 per metre, that
+/// is 0.24 um at 1 m; depths below 2 cm are taken as 2 cm. 0 = missing.
 struct InverseDepthOp {
   static constexpr int radius = 0;
   static constexpr float units_per_inverse_metre = 4194304.0f;
@@ -30,9 +30,11 @@ struct WindowSums {
   std::int64_t q = 0, dx_q = 0, dy_q = 0;
 };
 
-/// Unit normal, towards the camera, of the plane whose inverse depth has these window sums. Over a plane n . P = d
-/// inverse depth is affine in pixels, and n ~ (a fx, b fy, c - a (x - cx) - b (y - cy)) (method: 1/z = n . K^-1 p / d).
-FACET_HD inline Vec3 normal_from_sums(const WindowSums& sums, int half_side, int x, int y, const Camera& camera) {
+/// Unit normal, towards the camera, of the plane whose inverse depth has these window sums. Over a plane n .
+/// P = d inverse depth is affine in pixels, and n ~ (a fx, b fy, c - a (x - cx) - b (y - cy)) (method: 1/z =
+/// n . K^-1 p / d).
+FACET_HD inline Vec3 normal_from_sums(const WindowSums& sums, int half_side, int x, int y,
+                                      const Camera& camera) {
   const float side = static_cast<float>(2 * half_side + 1);
   const float spread = side * side * static_cast<float>(half_side * (half_side + 1)) / 3.0f;  // sum of dx^2
   const float a = static_cast<float>(sums.dx_q) / spread;
@@ -77,15 +79,17 @@ struct NormalOp {
 };
 
 template <class Executor>
-void inverse_depth(Executor& executor, ImageView<const float> depth_m, ImageView<std::int32_t> inverse_depth) {
+void inverse_depth(Executor& executor, ImageView<const float> depth_m,
+                   ImageView<std::int32_t> inverse_depth) {
   executor.for_each_pixel(depth_m.size(), InverseDepthOp{depth_m, inverse_depth});
 }
 
-/// Surface normals by plane fits in inverse depth over windows that shrink near depth edges (`distance_px`: capped
-/// chessboard distance to the nearest depth edge, missing pixel or image edge, cap > radius_px).
+/// Surface normals by plane fits in inverse depth over windows that shrink near depth edges (`distance_px`:
+/// capped chessboard distance to the nearest depth edge, missing pixel or image edge, cap > radius_px).
 template <class Executor>
-void fit_normals(Executor& executor, int radius_px, const Camera& camera, ImageView<const std::int32_t> inverse_depth,
-                 ImageView<const std::uint8_t> distance_px, ImageView<Vec3> normal) {
+void fit_normals(Executor& executor, int radius_px, const Camera& camera,
+                 ImageView<const std::int32_t> inverse_depth, ImageView<const std::uint8_t> distance_px,
+                 ImageView<Vec3> normal) {
   executor.for_each_pixel(normal.size(), NormalOp{inverse_depth, distance_px, radius_px, camera, normal});
 }
 

@@ -22,9 +22,9 @@ struct UnownedOp {
   }
 };
 
-/// Which region an unowned pixel belongs to: that of the neighbour nearest in depth, if the step to it is no larger
-/// than a depth edge. At a depth edge, which stands on the occluding side, that is the nearer surface. Ties go to
-/// the nearer neighbour, then to the lower label.
+/// Which region an unowned pixel belongs to: that of the neighbour nearest in depth, if the step to it is no
+/// larger than a depth edge. At a depth edge, which stands on the occluding side, that is the nearer surface.
+/// Ties go to the nearer neighbour, then to the lower label.
 struct ChooseOwnerOp {
   static constexpr int radius = 0;
   ImageView<const float> depth_m;
@@ -46,8 +46,9 @@ struct ChooseOwnerOp {
       if (!label.size().contains(nx, ny) || label(nx, ny) == 0) continue;
       const float zn = depth_m(nx, ny);
       const float step = zn > z ? zn - z : z - zn;
-      const bool better = step < best_step ||
-                          (step == best_step && (zn < best_depth || (zn == best_depth && label(nx, ny) < best)));
+      const bool better =
+          step < best_step ||
+          (step == best_step && (zn < best_depth || (zn == best_depth && label(nx, ny) < best)));
       if (better) best_step = step, best_depth = zn, best = label(nx, ny);
     }
     choice(x, y) = best;
@@ -74,8 +75,8 @@ struct TakeOwnerOp {
 /// touching surfaces have no gap between them. `open` and `choice` are scratch.
 template <class Executor>
 void give_back_pixels(Executor& executor, float jump_ratio, float noise_sigmas, const DepthNoise& noise,
-                      ImageView<const float> depth_m, ImageView<std::uint16_t> label, ImageView<std::uint8_t> open,
-                      ImageView<std::uint16_t> choice) {
+                      ImageView<const float> depth_m, ImageView<std::uint16_t> label,
+                      ImageView<std::uint8_t> open, ImageView<std::uint16_t> choice) {
   executor.for_each_pixel(label.size(), UnownedOp{depth_m, label, open});
   executor.take_changed();
   do {

@@ -32,9 +32,9 @@ constexpr bool is_end_point(unsigned code) {
 }
 inline constexpr NeighbourTable end_point_table = make_neighbour_table(is_end_point);
 
-/// Whether a line has an open end at (x, y), given the code of its neighbours: an end point that may go without
-/// joining two regions. The image border and missing depth bound regions as an edge does, so a line that meets them
-/// has no open end there, while one that runs along them has.
+/// Whether a line has an open end at (x, y), given the code of its neighbours: an end point that may go
+/// without joining two regions. The image border and missing depth bound regions as an edge does, so a line
+/// that meets them has no open end there, while one that runs along them has.
 struct OpenEnd {
   NeighbourTable end_points;
   ImageView<const float> depth_m;
@@ -52,7 +52,8 @@ struct OpenEnd {
     }
     return code;
   }
-  /// Whether a pixel between these walls, when it goes, joins one run of open pixels: no regions merge, none arises.
+  /// Whether a pixel between these walls, when it goes, joins one run of open pixels: no regions merge, none
+  /// arises.
   FACET_HD static bool joins_one_region(unsigned walls) {
     int runs = 0;
     for (unsigned side = 0; side < 8; side += 2) {
@@ -76,7 +77,8 @@ struct MarkOpenEndOp {
   }
 };
 
-/// One step of the conditional dilation: original edge pixels beside the front join it. Reads `front`, writes `grown`.
+/// One step of the conditional dilation: original edge pixels beside the front join it. Reads `front`, writes
+/// `grown`.
 struct ConditionalDilationOp {
   static constexpr int radius = 0;
   ImageView<const std::uint8_t> front;
@@ -120,10 +122,11 @@ struct PruningScratch {
   ImageView<std::uint8_t> original, mark, grown;
 };
 
-/// Pruning of a thin edge mask in place (paper eq. 10; Gonzalez and Woods). `stability` removes every open branch:
-/// only closed loops, and lines between them, missing depth or the image border, remain. `gonzalez` removes end points
-/// n times (X1), finds the end points of what is left (X2), grows them back along the original n times (X3) and
-/// returns the union (X4): spurs of up to n pixels vanish, longer lines keep their length.
+/// Pruning of a thin edge mask in place (paper eq. 10; Gonzalez and Woods). `stability` removes every open
+/// branch: only closed loops, and lines between them, missing depth or the image border, remain. `gonzalez`
+/// removes end points n times (X1), finds the end points of what is left (X2), grows them back along the
+/// original n times (X3) and returns the union (X4): spurs of up to n pixels vanish, longer lines keep their
+/// length.
 template <class Executor>
 void prune(Executor& executor, const PruningParams& params, ImageView<const float> depth_m,
            ImageView<std::uint8_t> edge, const PruningScratch& scratch) {

@@ -20,8 +20,8 @@ struct TemporalParams {
 
 inline constexpr int max_temporal_frames = 16;
 
-/// Average of the readings of one pixel over the window; missing readings (0) do not count, and a pixel that no
-/// frame saw stays missing.
+/// Average of the readings of one pixel over the window; missing readings (0) do not count, and a pixel that
+/// no frame saw stays missing.
 struct TemporalAverageOp {
   static constexpr int radius = 0;
   ImageView<const float> frames[max_temporal_frames];

@@ -26,8 +26,8 @@ struct WienerParams {
 };
 
 /// Mean and variance of the valid pixels in a (2 Radius + 1)^2 window, the variance about the local mean (two
-/// passes: no cancellation at 4 m) or, detrended, about the window's least-squares plane. A pixel that is missing
-/// or has fewer than five valid neighbours gets variance -1: it passes through unfiltered.
+/// passes: no cancellation at 4 m) or, detrended, about the window's least-squares plane. A pixel that is
+/// missing or has fewer than five valid neighbours gets variance -1: it passes through unfiltered.
 template <int Radius, bool detrend>
 struct WienerStatisticsOp {
   static constexpr int radius = Radius;
@@ -64,7 +64,8 @@ struct WienerStatisticsOp {
   }
 };
 
-/// Variances as integers, so that their sum is exact in any order: unit 1e-10 m^2, i.e. (10 um)^2, at most 1 m^2.
+/// Variances as integers, so that their sum is exact in any order: unit 1e-10 m^2, i.e. (10 um)^2, at most 1
+/// m^2.
 struct WienerVarianceSum {
   static constexpr float units_per_m2 = 1e10f;
   ImageView<const float> variance_m2;
@@ -106,11 +107,12 @@ struct WienerApplyOp {
   }
 };
 
-/// Adaptive Wiener filter over valid pixels (paper eq. 2; Lim 1990, eqs 9.44-9.46). `mean_m` and `variance_m2` are
-/// scratch of the same size. Missing pixels stay missing.
+/// Adaptive Wiener filter over valid pixels (paper eq. 2; Lim 1990, eqs 9.44-9.46). `mean_m` and
+/// `variance_m2` are scratch of the same size. Missing pixels stay missing.
 template <class Executor>
-void wiener(Executor& executor, const WienerParams& params, const DepthNoise& sensor, ImageView<const float> depth_m,
-            ImageView<float> mean_m, ImageView<float> variance_m2, ImageView<float> out) {
+void wiener(Executor& executor, const WienerParams& params, const DepthNoise& sensor,
+            ImageView<const float> depth_m, ImageView<float> mean_m, ImageView<float> variance_m2,
+            ImageView<float> out) {
   const Size size = depth_m.size();
   const auto statistics = [&](auto radius) {
     if (params.detrend)
@@ -119,16 +121,23 @@ void wiener(Executor& executor, const WienerParams& params, const DepthNoise& se
       executor.for_each_pixel(size, WienerStatisticsOp<radius(), false>{depth_m, mean_m, variance_m2});
   };
   switch (params.window_px / 2) {
-    case 1: statistics(std::integral_constant<int, 1>{}); break;
-    case 2: statistics(std::integral_constant<int, 2>{}); break;
-    default: statistics(std::integral_constant<int, 3>{}); break;
+    case 1:
+      statistics(std::integral_constant<int, 1>{});
+      break;
+    case 2:
+      statistics(std::integral_constant<int, 2>{});
+      break;
+    default:
+      statistics(std::integral_constant<int, 3>{});
+      break;
   }
   float noise_m2 = 0;
   if (params.noise == WienerNoise::mean) {
     const std::int64_t count = executor.sum_pixels(size, WienerVarianceCount{variance_m2});
     const std::int64_t sum = executor.sum_pixels(size, WienerVarianceSum{variance_m2});
     if (count > 0)
-      noise_m2 = static_cast<float>(static_cast<double>(sum) / static_cast<double>(count) / WienerVarianceSum::units_per_m2);
+      noise_m2 = static_cast<float>(static_cast<double>(sum) / static_cast<double>(count) /
+                                    WienerVarianceSum::units_per_m2);
   }
   executor.for_each_pixel(size, WienerApplyOp{depth_m, mean_m, variance_m2, params.gain,
                                               params.noise == WienerNoise::sensor, sensor, noise_m2, out});

@@ -8,7 +8,8 @@
 namespace facet {
 namespace {
 
-/// Pixels per independent reading: sensors correlate the noise of neighbouring pixels (block matching windows).
+/// Pixels per independent reading: sensors correlate the noise of neighbouring pixels (block matching
+/// windows).
 constexpr double pixels_per_reading = 20;
 /// A border known along fewer pixels than this says nothing by itself; the fits decide.
 constexpr double min_known_border_px = 3;
@@ -91,7 +92,8 @@ void BasinMerging::aggregate_borders() {
     border.a = std::min(a, b), border.b = std::max(a, b);
     border.place = place++;
   }
-  // By place too: the sums are floats, their order must not depend on the sort. (A stable sort would allocate.)
+  // By place too: the sums are floats, their order must not depend on the sort. (A stable sort would
+  // allocate.)
   std::sort(borders_.begin(), borders_.end(), [](const Border& l, const Border& r) {
     return std::tie(l.a, l.b, l.place) < std::tie(r.a, r.b, r.place);
   });
@@ -167,7 +169,9 @@ void BasinMerging::merge(const BasinLandscape& l, const MergeCriteria& criteria,
   for (int y = 0; y < l.basin.height; ++y)
     for (int x = 0; x < l.basin.width; ++x) {
       const std::int32_t name = l.basin(x, y);
-      region(x, y) = name < 0 ? -1 : basins_[static_cast<std::size_t>(find(index_[static_cast<std::size_t>(name)]))].name;
+      region(x, y) =
+          name < 0 ? -1
+                   : basins_[static_cast<std::size_t>(find(index_[static_cast<std::size_t>(name)]))].name;
     }
 }
 

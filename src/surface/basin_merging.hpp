@@ -8,8 +8,8 @@
 
 namespace facet {
 
-/// Sums of a plane fit of inverse depth, q = c + a x + b y, over the pixels of a region; two regions' sums add up.
-/// x, y [px] relative to the image centre, q [1/m].
+/// Sums of a plane fit of inverse depth, q = c + a x + b y, over the pixels of a region; two regions' sums
+/// add up. x, y [px] relative to the image centre, q [1/m].
 struct PlaneMoments {
   double n = 0, x = 0, y = 0, q = 0, xx = 0, xy = 0, yy = 0, xq = 0, yq = 0, qq = 0;
 
@@ -21,25 +21,25 @@ struct PlaneMoments {
 
 /// The over-segmentation into basins and what it was made from.
 struct BasinLandscape {
-  ImageView<const std::int32_t> basin;    ///< raster index naming the basin, -1 = none
+  ImageView<const std::int32_t> basin;          ///< raster index naming the basin, -1 = none
   ImageView<const std::int32_t> inverse_depth;  ///< fixed point, as stage/normals.hpp makes it; unit below
   double inverse_depth_unit = 1;                ///< 1/m per step
-  ImageView<const float> strength;        ///< crease strength, chord of the angle
+  ImageView<const float> strength;              ///< crease strength, chord of the angle
   ImageView<const std::uint8_t> distance_px;
-  int guard_px = 0;                       ///< strength is known where the distance is larger
+  int guard_px = 0;  ///< strength is known where the distance is larger
 };
 
-/// When a border between two regions is a crease: it must rise above the strength inside both of them, and two
-/// planes must explain the pixels better than one.
+/// When a border between two regions is a crease: it must rise above the strength inside both of them, and
+/// two planes must explain the pixels better than one.
 struct MergeCriteria {
   float rise_deg = 10;
   float fit_ratio = 10;  ///< (residual of one plane - of two) / 3 over the noise of one independent reading
 };
 
-/// Merges basins across borders that are no creases, so that noise, texture and the even curvature of a cylinder do
-/// not split a surface: there the border is as strong as its surroundings. In rounds, each taking the borders from
-/// the least convincing one upwards and merging a region once at most, so that every decision rests on what the
-/// regions are now; until a round merges nothing.
+/// Merges basins across borders that are no creases, so that noise, texture and the even curvature of a
+/// cylinder do not split a surface: there the border is as strong as its surroundings. In rounds, each taking
+/// the borders from the least convincing one upwards and merging a region once at most, so that every
+/// decision rests on what the regions are now; until a round merges nothing.
 class BasinMerging {
  public:
   /// `region` receives, for every pixel, a raster index naming its region, -1 = none.
@@ -48,7 +48,7 @@ class BasinMerging {
 
  private:
   struct Basin {
-    int parent = 0;           ///< union-find over basins
+    int parent = 0;  ///< union-find over basins
     std::int32_t name = 0;
     int merged_in = 0;        ///< last round in which it changed
     double strength_sum = 0;  ///< over pixels where it is known
@@ -56,11 +56,11 @@ class BasinMerging {
     PlaneMoments moments;
   };
   struct Border {
-    int a = 0, b = 0;         ///< a < b
-    float strength_sum = 0;   ///< over pairs of pixels where it is known
+    int a = 0, b = 0;        ///< a < b
+    float strength_sum = 0;  ///< over pairs of pixels where it is known
     float strength_count = 0;
     float rise = 0;
-    int place = 0;            ///< in the order before sorting
+    int place = 0;  ///< in the order before sorting
   };
 
   void collect_basins(const BasinLandscape& landscape);

@@ -1,9 +1,8 @@
 #include "surface/contours.hpp"
 
 #include <algorithm>
-#include <utility>
-
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace facet {
 namespace {
@@ -16,13 +15,16 @@ Polyline to_polyline(const std::vector<cv::Point>& points) {
 }
 
 /// cv::findContours' hierarchy: {next, previous, first child, parent}, -1 = none.
-int parent_of(const cv::Vec4i& node) { return node[3]; }
+int parent_of(const cv::Vec4i& node) {
+  return node[3];
+}
 
 bool encloses(const Polyline& hole, ContourPoint p) {
   std::vector<cv::Point> polygon;
   polygon.reserve(hole.size());
   for (const ContourPoint& q : hole) polygon.emplace_back(q.x, q.y);
-  return cv::pointPolygonTest(polygon, cv::Point2f(static_cast<float>(p.x), static_cast<float>(p.y)), false) > 0;
+  return cv::pointPolygonTest(polygon, cv::Point2f(static_cast<float>(p.x), static_cast<float>(p.y)), false) >
+         0;
 }
 
 PixelBox box_of(const Polyline& line) {
@@ -46,9 +48,9 @@ int label_to_the_left(ImageView<const std::uint16_t> labels, ContourPoint p) {
   return 0;
 }
 
-/// As in Suzuki and Abe's scan: the surface met last, to the left of a surface's first pixel, either has it in a
-/// hole, and is its parent, or lies in the same hole. The first pixels are taken in raster order, so that the
-/// left one's parent is known.
+/// As in Suzuki and Abe's scan: the surface met last, to the left of a surface's first pixel, either has it
+/// in a hole, and is its parent, or lies in the same hole. The first pixels are taken in raster order, so
+/// that the left one's parent is known.
 void find_parents(ImageView<const std::uint16_t> labels, std::vector<Surface>& surfaces) {
   std::vector<Surface*> order;
   for (Surface& surface : surfaces)
@@ -67,7 +69,8 @@ void find_parents(ImageView<const std::uint16_t> labels, std::vector<Surface>& s
 
 void list_children(std::vector<Surface>& surfaces) {
   for (const Surface& surface : surfaces)
-    if (surface.parent != 0) surfaces[static_cast<std::size_t>(surface.parent) - 1].children.push_back(surface.id);
+    if (surface.parent != 0)
+      surfaces[static_cast<std::size_t>(surface.parent) - 1].children.push_back(surface.id);
 }
 
 }  // namespace
@@ -91,7 +94,8 @@ void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<Pixe
   for (Surface& surface : surfaces) {
     const PixelBox& box = boxes[static_cast<std::size_t>(surface.id) - 1];
     if (box.empty()) continue;
-    cv::compare(map(cv::Rect(box.x0, box.y0, box.x1 - box.x0 + 1, box.y1 - box.y0 + 1)), surface.id, mask, cv::CMP_EQ);
+    cv::compare(map(cv::Rect(box.x0, box.y0, box.x1 - box.x0 + 1, box.y1 - box.y0 + 1)), surface.id, mask,
+                cv::CMP_EQ);
     cv::findContours(mask, lines, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE, {box.x0, box.y0});
     for (std::size_t i = 0; i < lines.size(); ++i)
       if (parent_of(hierarchy[i]) >= 0)
@@ -111,11 +115,12 @@ void trace_edge_map(ImageView<const std::uint8_t> edge, ImageView<const std::uin
   std::vector<cv::Vec4i> hierarchy;
   cv::findContours(map, lines, hierarchy, cv::RETR_TREE, cv::CHAIN_APPROX_NONE);
 
-  // In the tree outer borders of edge components and borders of their holes take turns. A hole border starts at
-  // the edge pixel left of the hole's first pixel (Suzuki and Abe), so the label one to the right owns it.
+  // In the tree outer borders of edge components and borders of their holes take turns. A hole border starts
+  // at the edge pixel left of the hole's first pixel (Suzuki and Abe), so the label one to the right owns it.
   const auto is_hole = [&](std::size_t i) {
     int depth = 0;
-    for (int p = parent_of(hierarchy[i]); p >= 0; p = parent_of(hierarchy[static_cast<std::size_t>(p)])) ++depth;
+    for (int p = parent_of(hierarchy[i]); p >= 0; p = parent_of(hierarchy[static_cast<std::size_t>(p)]))
+      ++depth;
     return depth % 2 == 1;
   };
   std::vector<int> label_of_line(lines.size(), 0);

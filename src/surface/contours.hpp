@@ -18,8 +18,9 @@ struct ContourParams {
 };
 
 /// Outlines of the labels 1 ... surfaces.size() of `labels` (0 = none; each label 4-connected), into
-/// surfaces[label - 1]: contour, parent and children. Suzuki and Abe 1985 by way of cv::findContours, one label at a
-/// time, so touching surfaces each have an outline of their own. `boxes[label - 1]` bounds the label's pixels.
+/// surfaces[label - 1]: contour, parent and children. Suzuki and Abe 1985 by way of cv::findContours, one
+/// label at a time, so touching surfaces each have an outline of their own. `boxes[label - 1]` bounds the
+/// label's pixels.
 struct PixelBox {
   int x0 = 0, y0 = 0, x1 = -1, y1 = -1;  ///< inclusive
 
@@ -29,9 +30,9 @@ struct PixelBox {
 void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<PixelBox>& boxes,
                    std::vector<Surface>& surfaces);
 
-/// The paper's contour separation (section 4.2.3): findContours on the edge map, hierarchy kept. A surface is a hole
-/// of the edge network; its outline runs on the edge pixels that it shares with its neighbours. Surfaces that no
-/// closed contour bounds (open towards the image border) keep an empty contour.
+/// The paper's contour separation (section 4.2.3): findContours on the edge map, hierarchy kept. A surface is
+/// a hole of the edge network; its outline runs on the edge pixels that it shares with its neighbours.
+/// Surfaces that no closed contour bounds (open towards the image border) keep an empty contour.
 void trace_edge_map(ImageView<const std::uint8_t> edge, ImageView<const std::uint16_t> labels,
                     std::vector<Surface>& surfaces);
 

@@ -1,8 +1,7 @@
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <Eigen/Dense>
 
 #include "core/random.hpp"
 #include "surface/pose.hpp"
@@ -38,7 +37,8 @@ int hypotheses_needed(double inlier_share, int most) {
   const double all_inliers = inlier_share * inlier_share * inlier_share;
   if (all_inliers > 0.999999) return 1;
   if (all_inliers < 1e-6) return most;
-  return std::clamp(static_cast<int>(std::ceil(std::log(1 - confidence) / std::log(1 - all_inliers))), 1, most);
+  return std::clamp(static_cast<int>(std::ceil(std::log(1 - confidence) / std::log(1 - all_inliers))), 1,
+                    most);
 }
 
 std::optional<Plane> best_hypothesis(const PointSample& points, const PoseParams& params, float threshold_m,
@@ -84,11 +84,13 @@ PlaneFit refine(const PointSample& points, const Plane& plane, float threshold_m
   if (normal.dot(centre) > 0) normal = -normal;  // towards the camera
 
   PlaneFit fit;
-  fit.plane = Plane{{static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())},
-                    static_cast<float>(-normal.dot(centre))};
+  fit.plane =
+      Plane{{static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())},
+            static_cast<float>(-normal.dot(centre))};
   fit.inlier_share = static_cast<float>(count) / static_cast<float>(points.size());
   fit.rms_m = static_cast<float>(std::sqrt(std::max(0.0, axes.eigenvalues()(0))));
-  fit.centroid_m = {static_cast<float>(centre.x()), static_cast<float>(centre.y()), static_cast<float>(centre.z())};
+  fit.centroid_m = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
+                    static_cast<float>(centre.z())};
   return fit;
 }
 

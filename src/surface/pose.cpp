@@ -1,9 +1,8 @@
 #include "surface/pose.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Geometry>
 #include <opencv2/imgproc.hpp>
 
 namespace facet {
@@ -16,7 +15,9 @@ Vec3 on_plane(const Plane& plane, const Camera& camera, float x_px, float y_px) 
   return std::fabs(along) > 1e-6f ? (-plane.d_m / along) * ray : Vec3{};
 }
 
-Vec3 project(const Plane& plane, Vec3 p) { return p - plane.signed_distance_m(p) * plane.normal; }
+Vec3 project(const Plane& plane, Vec3 p) {
+  return p - plane.signed_distance_m(p) * plane.normal;
+}
 
 bool lies_on_label(const PoseInput& input, Vec3 p, int label) {
   if (!(p.z > 0)) return false;
@@ -97,10 +98,12 @@ Vec3 rectangle_axis(const Polyline& outer, const Plane& plane, const Camera& cam
   return normalized(project(plane, a + axis) - project(plane, a));
 }
 
-void estimate_pose(const PoseInput& input, const PoseParams& params, const PointSample& points, Surface& surface) {
+void estimate_pose(const PoseInput& input, const PoseParams& params, const PointSample& points,
+                   Surface& surface) {
   const float sigma_m = points.size() > 0 ? input.noise.sigma_m(median_depth(points)) : 0;
   const float threshold_m = std::max(params.inlier_sigmas * sigma_m, params.min_inlier_mm / 1000);
-  const PlaneFit fit = fit_plane(points, params, threshold_m, input.seed, static_cast<std::uint64_t>(surface.id));
+  const PlaneFit fit =
+      fit_plane(points, params, threshold_m, input.seed, static_cast<std::uint64_t>(surface.id));
   surface.no_pose_reason = fit.reason;
   if (!fit.plane) return;
   surface.plane = fit.plane;

@@ -18,15 +18,15 @@ enum class PoseCentre {
 struct PoseParams {
   bool enabled = true;
   PoseCentre centre = PoseCentre::inliers;
-  int iterations = 128;          ///< most RANSAC hypotheses, 1..10000
-  int max_points = 1024;         ///< size of the consensus set, 16..100000
-  float inlier_sigmas = 3.0f;    ///< inlier threshold in standard deviations of the sensor noise, 0..100
-  float min_inlier_mm = 4.0f;    ///< and at least this [mm], 0..1000
+  int iterations = 128;             ///< most RANSAC hypotheses, 1..10000
+  int max_points = 1024;            ///< size of the consensus set, 16..100000
+  float inlier_sigmas = 3.0f;       ///< inlier threshold in standard deviations of the sensor noise, 0..100
+  float min_inlier_mm = 4.0f;       ///< and at least this [mm], 0..1000
   float curved_below_share = 0.8f;  ///< a surface with a smaller inlier share is flagged as curved, 0..1
 };
 
-/// Points of one surface in the camera frame [m], as separate coordinates for the inner loop, with the largest
-/// number of them known beforehand.
+/// Points of one surface in the camera frame [m], as separate coordinates for the inner loop, with the
+/// largest number of them known beforehand.
 struct PointSample {
   std::vector<float> x, y, z;
 
@@ -45,14 +45,15 @@ struct PlaneFit {
   std::string reason;  ///< set where `plane` is empty
 };
 
-/// Plane through most of the points: RANSAC over triples, score = number of points within `threshold_m`, ties to the
-/// earliest hypothesis; it stops once a better one is unlikely (p < 1 %), and is refined by least squares on its
-/// inliers. Deterministic in (seed, stream). Paper section 4.2.4.
+/// Plane through most of the points: RANSAC over triples, score = number of points within `threshold_m`, ties
+/// to the earliest hypothesis; it stops once a better one is unlikely (p < 1 %), and is refined by least
+/// squares on its inliers. Deterministic in (seed, stream). Paper section 4.2.4.
 PlaneFit fit_plane(const PointSample& points, const PoseParams& params, float threshold_m, std::uint64_t seed,
                    std::uint64_t stream);
 
-/// Rotation of a surface: z = normal, x = normalise(up x z), y = z x x with up = -Y of the camera, or its X axis
-/// where the normal is within 18 degrees of up (|z . up| > 0.95). The angle in the plane is a convention.
+/// Rotation of a surface: z = normal, x = normalise(up x z), y = z x x with up = -Y of the camera, or its X
+/// axis where the normal is within 18 degrees of up (|z . up| > 0.95). The angle in the plane is a
+/// convention.
 SurfacePose pose_on_plane(const Plane& plane, Vec3 centre_m);
 
 /// Unit vector, in the plane, along the longer side of the contour's minimum-area rectangle.
@@ -69,6 +70,7 @@ struct PoseInput {
 
 /// Fits plane and pose to `surface`, sampled at `points`; fills plane, inlier_share, rms_m, curved, pose or
 /// no_pose_reason.
-void estimate_pose(const PoseInput& input, const PoseParams& params, const PointSample& points, Surface& surface);
+void estimate_pose(const PoseInput& input, const PoseParams& params, const PointSample& points,
+                   Surface& surface);
 
 }  // namespace facet

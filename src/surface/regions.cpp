@@ -28,7 +28,8 @@ void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<cons
 std::string_view RegionNumbering::reason_to_drop(const Component& c, const Camera& camera,
                                                  const ValidationParams& validation) const {
   const auto mean_depth_m = static_cast<float>(c.depth_sum_m / c.area_px);
-  if (static_cast<float>(c.area_px) < least_area_px(validation, camera, mean_depth_m)) return reject_reason::too_small;
+  if (static_cast<float>(c.area_px) < least_area_px(validation, camera, mean_depth_m))
+    return reject_reason::too_small;
   const float measured = static_cast<float>(c.area_px - c.filled_px) / static_cast<float>(c.area_px);
   if (validation.enabled && measured < validation.min_valid_share) return reject_reason::missing_depth;
   return {};
@@ -54,14 +55,16 @@ int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const 
   for (int y = 0; y < root.height; ++y)
     for (int x = 0; x < root.width; ++x) {
       const std::int32_t first = root(x, y);
-      labels(x, y) = first < 0 ? std::uint16_t{0}
-                               : label_[static_cast<std::size_t>(component_at_[static_cast<std::size_t>(first)])];
+      labels(x, y) = first < 0
+                         ? std::uint16_t{0}
+                         : label_[static_cast<std::size_t>(component_at_[static_cast<std::size_t>(first)])];
     }
   return count;
 }
 
-void RegionPixels::collect(ImageView<const std::uint16_t> labels, int label_count, ImageView<const float> depth_m,
-                           ImageView<const std::uint8_t> filled, const Camera& camera, int max_points) {
+void RegionPixels::collect(ImageView<const std::uint16_t> labels, int label_count,
+                           ImageView<const float> depth_m, ImageView<const std::uint8_t> filled,
+                           const Camera& camera, int max_points) {
   const auto n = static_cast<std::size_t>(label_count);
   boxes.assign(n, {});
   area_px.assign(n, 0);

@@ -11,12 +11,13 @@
 
 namespace facet {
 
-/// Numbers the components that may be surfaces, in raster order of their first pixels; drops those that are too
-/// small or mostly made-up depth, with a reason, so that their pixels can go to the surfaces around them. Keeps its memory between frames.
+/// Numbers the components that may be surfaces, in raster order of their first pixels; drops those that are
+/// too small or mostly made-up depth, with a reason, so that their pixels can go to the surfaces around them.
+/// Keeps its memory between frames.
 class RegionNumbering {
  public:
-  /// root: raster index of each pixel's component, -1 = none. Writes labels (0 = none); appends to `rejected`.
-  /// Returns the number of labels.
+  /// root: raster index of each pixel's component, -1 = none. Writes labels (0 = none); appends to
+  /// `rejected`. Returns the number of labels.
   int number(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
              ImageView<const std::uint8_t> filled, const Camera& camera, const ValidationParams& validation,
              ImageView<std::uint16_t> labels, std::vector<RejectedRegion>& rejected);
@@ -34,11 +35,12 @@ class RegionNumbering {
                                   const ValidationParams& validation) const;
 
   std::vector<Component> components_;
-  std::vector<std::int32_t> component_at_;   ///< by raster index of the first pixel
+  std::vector<std::int32_t> component_at_;  ///< by raster index of the first pixel
   std::vector<std::uint16_t> label_;
 };
 
-/// What validation and pose need to know of the pixels of each label; filled in one pass over the label image.
+/// What validation and pose need to know of the pixels of each label; filled in one pass over the label
+/// image.
 class RegionPixels {
  public:
   std::vector<PixelBox> boxes;

@@ -37,7 +37,7 @@ struct SurfacePose {
   Vec3 centre_m;
   std::array<float, 4> quaternion_wxyz{1, 0, 0, 0};  ///< rotation surface -> camera, w >= 0
   std::array<float, 3> zyx_deg{};                    ///< the same rotation, intrinsic z-y'-x'' angles
-  Vec3 rect_axis;                                    ///< long axis of the contour's minimum-area rectangle, unit
+  Vec3 rect_axis;  ///< long axis of the contour's minimum-area rectangle, unit
 };
 
 /// One segmented surface. `id` is its value in the label image.
@@ -48,18 +48,18 @@ struct Surface {
   int parent = 0;             ///< id of the surface in whose hole this one lies, 0 = none
   std::vector<int> children;  ///< ids of the surfaces that lie in its holes
   std::optional<Plane> plane;
-  float inlier_share = 0;     ///< share of its sampled points within the plane's inlier threshold, 0..1
-  float rms_m = 0;            ///< root mean square distance of the inliers to the plane [m]
-  bool curved = false;        ///< one plane does not explain it
+  float inlier_share = 0;  ///< share of its sampled points within the plane's inlier threshold, 0..1
+  float rms_m = 0;         ///< root mean square distance of the inliers to the plane [m]
+  bool curved = false;     ///< one plane does not explain it
   std::optional<SurfacePose> pose;
   std::string no_pose_reason;  ///< why `pose` is empty
   bool touches_border = false;
-  bool graspable = false;      ///< has a graspable edge on its outline
+  bool graspable = false;  ///< has a graspable edge on its outline
 };
 
 /// A region that the validation dropped.
 struct RejectedRegion {
-  ContourPoint seed;   ///< first of its pixels in raster order
+  ContourPoint seed;  ///< first of its pixels in raster order
   int area_px = 0;
   std::string reason;  ///< one of the reasons of surface/validation.hpp
 };

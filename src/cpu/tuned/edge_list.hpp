@@ -9,7 +9,19 @@
 
 namespace facet {
 
-/// Raster indices of the pixels set in a sparse mask, in raster order.
+/// A pixel in a list: y in the upper 16 bits, x in the lower (images are smaller than 32768 pixels a side).
+/// Taking it apart costs no division.
+constexpr int listed(int x, int y) {
+  return y << 16 | x;
+}
+constexpr int x_of(int pixel) {
+  return pixel & 0xFFFF;
+}
+constexpr int y_of(int pixel) {
+  return pixel >> 16;
+}
+
+/// The pixels set in a sparse mask, in raster order.
 inline void list_set_pixels(ImageView<const std::uint8_t> mask, std::vector<int>& list) {
   list.clear();
   for (int y = 0; y < mask.height; ++y) {
@@ -20,17 +32,17 @@ inline void list_set_pixels(ImageView<const std::uint8_t> mask, std::vector<int>
       std::memcpy(&word, row + x, sizeof word);
       if (word == 0) continue;
       for (int i = x; i < x + 8; ++i)
-        if (row[i]) list.push_back(y * mask.width + i);
+        if (row[i]) list.push_back(listed(i, y));
     }
     for (; x < mask.width; ++x)
-      if (row[x]) list.push_back(y * mask.width + x);
+      if (row[x]) list.push_back(listed(x, y));
   }
 }
 
-/// visit(x, y) for every set 8-neighbour of the pixel with raster index i.
+/// visit(x, y) for every set 8-neighbour of a listed pixel.
 template <class Visit>
-void for_each_set_neighbour(ImageView<const std::uint8_t> mask, int i, const Visit& visit) {
-  const int x = i % mask.width, y = i / mask.width;
+void for_each_set_neighbour(ImageView<const std::uint8_t> mask, int pixel, const Visit& visit) {
+  const int x = x_of(pixel), y = y_of(pixel);
   for (int k = 0; k < 8; ++k) {
     const int nx = x + neighbour8(k).dx, ny = y + neighbour8(k).dy;
     if (mask.size().contains(nx, ny) && mask(nx, ny)) visit(nx, ny);

@@ -11,7 +11,8 @@ constexpr std::uint8_t waiting = 2;  ///< open pixel that stands in the list alr
 void mark_narrow_holes(ImageView<const float> depth_m, int max_hole_px, std::vector<int>& run_start,
                        ImageView<std::uint8_t> open) {
   const int width = depth_m.width;
-  run_start.assign(static_cast<std::size_t>(width), -1);  // first row of the column's current run; -1: none bounded
+  run_start.assign(static_cast<std::size_t>(width),
+                   -1);  // first row of the column's current run; -1: none bounded
   for (int y = 0; y < depth_m.height; ++y) {
     int row_run = -1;
     for (int x = 0; x < width; ++x) {
@@ -48,8 +49,8 @@ void mark_rims(const FillParams& params, ImageView<const float> depth_m, ImageVi
     }
 }
 
-/// Sources, window means and offers of the current pass on images padded by two pixels, so that windows around
-/// sources at the image's edge need no border test. Means and offers are computed once per pass.
+/// Sources, window means and offers of the current pass on images padded by two pixels, so that windows
+/// around sources at the image's edge need no border test. Means and offers are computed once per pass.
 class SharedOffers {
  public:
   SharedOffers(const FillCandidate& candidate, CpuScratch& scratch)
@@ -130,16 +131,16 @@ void fill_missing(CpuExecutor& executor, const FillParams& params, ImageView<flo
   list_set_pixels(scratch.open, next);
   front.clear();
   for (const int i : next)
-    if (offers.has_source(i % depth_m.width, i / depth_m.width)) front.push_back(i);
+    if (offers.has_source(x_of(i), y_of(i))) front.push_back(i);
   for (int pass = 0; pass < params.max_passes && !front.empty(); ++pass) {
     offers.start_pass(pass);
     for (const int i : front) {
-      const int x = i % depth_m.width, y = i / depth_m.width;
+      const int x = x_of(i), y = y_of(i);
       scratch.proposal_m(x, y) = offers.best_mean(x, y);
     }
     next.clear();
     for (const int i : front) {
-      const int x = i % depth_m.width, y = i / depth_m.width;
+      const int x = x_of(i), y = y_of(i);
       depth_m(x, y) = scratch.proposal_m(x, y);
       offers.add_source(x, y, depth_m(x, y));
       scratch.open(x, y) = 0;
@@ -149,7 +150,7 @@ void fill_missing(CpuExecutor& executor, const FillParams& params, ImageView<flo
       for_each_set_neighbour(scratch.open, i, [&](int x, int y) {
         if (scratch.open(x, y) == waiting) return;
         scratch.open(x, y) = waiting;
-        next.push_back(y * depth_m.width + x);
+        next.push_back(listed(x, y));
       });
     std::swap(front, next);
   }

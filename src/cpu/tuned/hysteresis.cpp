@@ -11,7 +11,7 @@ void hysteresis(CpuExecutor& executor, ImageView<std::uint8_t> ridge, ImageView<
   executor.fill(edge, std::uint8_t{0});
   stack.clear();
   for (const int i : ridges) {
-    const int x = i % ridge.width, y = i / ridge.width;
+    const int x = x_of(i), y = y_of(i);
     if (ridge(x, y) != static_cast<std::uint8_t>(Ridge::strong)) continue;
     edge(x, y) = 1;
     stack.push_back(i);
@@ -22,7 +22,7 @@ void hysteresis(CpuExecutor& executor, ImageView<std::uint8_t> ridge, ImageView<
     for_each_set_neighbour(ridge, from, [&](int x, int y) {
       if (edge(x, y)) return;
       edge(x, y) = 1;
-      stack.push_back(y * ridge.width + x);
+      stack.push_back(listed(x, y));
     });
   }
 }

@@ -5,8 +5,8 @@
 namespace facet {
 namespace {
 
-/// Runs of region pixels, row by row: start and end column, and the parent run in a union-find forest. Runs are
-/// numbered in raster order, so the smallest run of a set holds its first pixel.
+/// Runs of region pixels, row by row: start and end column, and the parent run in a union-find forest. Runs
+/// are numbered in raster order, so the smallest run of a set holds its first pixel.
 class RunForest {
  public:
   RunForest(std::vector<int>& begin, std::vector<int>& end, std::vector<int>& parent)
@@ -57,8 +57,8 @@ void join_rows(RunForest& runs, int above, int row) {
 
 }  // namespace
 
-void label_components(CpuExecutor& executor, ImageView<const float> depth_m, ImageView<const std::uint8_t> edge,
-                      ImageView<std::int32_t> root) {
+void label_components(CpuExecutor& executor, ImageView<const float> depth_m,
+                      ImageView<const std::uint8_t> edge, ImageView<std::int32_t> root) {
   CpuScratch& scratch = executor.scratch();
   RunForest runs(scratch.list_a, scratch.list_b, scratch.list_c);
   std::vector<int>& row_starts = scratch.row_starts;
@@ -73,10 +73,12 @@ void label_components(CpuExecutor& executor, ImageView<const float> depth_m, Ima
   name.resize(static_cast<std::size_t>(runs.count()));
   for (int y = 0; y < root.height; ++y) {
     std::fill_n(root.row(y), root.width, -1);
-    for (int r = row_starts[static_cast<std::size_t>(y)]; r < row_starts[static_cast<std::size_t>(y) + 1]; ++r) {
+    for (int r = row_starts[static_cast<std::size_t>(y)]; r < row_starts[static_cast<std::size_t>(y) + 1];
+         ++r) {
       const int first = runs.find(r);
       if (first == r) name[static_cast<std::size_t>(r)] = y * root.width + runs.begin(r);
-      std::fill(root.row(y) + runs.begin(r), root.row(y) + runs.end(r), name[static_cast<std::size_t>(first)]);
+      std::fill(root.row(y) + runs.begin(r), root.row(y) + runs.end(r),
+                name[static_cast<std::size_t>(first)]);
     }
   }
 }

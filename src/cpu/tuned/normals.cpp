@@ -42,8 +42,9 @@ void build_table(ImageView<const std::int32_t> inverse_depth, Corner* table) {
 
 }  // namespace
 
-void fit_normals(CpuExecutor& executor, int radius_px, const Camera& camera, ImageView<const std::int32_t> inverse_depth,
-                 ImageView<const std::uint8_t> distance_px, ImageView<Vec3> normal) {
+void fit_normals(CpuExecutor& executor, int radius_px, const Camera& camera,
+                 ImageView<const std::int32_t> inverse_depth, ImageView<const std::uint8_t> distance_px,
+                 ImageView<Vec3> normal) {
   static_assert(sizeof(Corner) == 4 * sizeof(std::int64_t));
   const int pitch = inverse_depth.width + 1;
   std::vector<std::int64_t>& memory = executor.scratch().sums;

@@ -13,7 +13,7 @@ void relocate_to_occluding_side(CpuExecutor& executor, ImageView<const float> de
   executor.fill(out, std::uint8_t{0});
   const OccludingSide occluding_side{depth_m, direction};
   for (const int i : pixels) {
-    const int x = i % edge.width, y = i / edge.width;
+    const int x = x_of(i), y = y_of(i);
     const Offset move = occluding_side(x, y);
     out(x + move.dx, y + move.dy) = 1;
   }

@@ -13,7 +13,7 @@ TEST(EdgeList, HoldsTheSetPixelsInRasterOrder) {
     list_set_pixels(mask.view(), list);
     for (int y = 0; y < mask.height(); ++y)
       for (int x = 0; x < mask.width(); ++x)
-        if (mask(x, y)) expected.push_back(y * mask.width() + x);
+        if (mask(x, y)) expected.push_back(listed(x, y));
     EXPECT_EQ(list, expected);
   });
 }
@@ -22,7 +22,7 @@ TEST(EdgeList, VisitsEverySetNeighbourOnce) {
   const Mask mask = random_mask({33, 9}, 2, 0.5f);
   for (int i = 0; i < 33 * 9; ++i) {
     Mask visits(mask.size());
-    for_each_set_neighbour(mask.view(), i, [&](int x, int y) { ++visits(x, y); });
+    for_each_set_neighbour(mask.view(), listed(i % 33, i / 33), [&](int x, int y) { ++visits(x, y); });
     for (int y = 0; y < 9; ++y)
       for (int x = 0; x < 33; ++x) {
         const int dx = std::abs(x - i % 33), dy = std::abs(y - i / 33);
