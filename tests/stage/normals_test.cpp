@@ -87,10 +87,17 @@ TEST(Normals, OfASpherePointAlongItsRadius) {
   EXPECT_GT(checked, 1000);
 }
 
+/// The wanted distances, less where the image's border is nearer.
+template <class Distance>
+Mask within_image(const Distance& wanted) {
+  const Mask room = distance_to_border(size, 255);
+  return make_image<std::uint8_t>(size,
+                                  [&](int x, int y) { return std::min<int>(room(x, y), wanted(x, y)); });
+}
+
 TEST(Normals, NeedAWindowOfFiveByFive) {
   const Image<float> depth(size, 1.0f);
-  const auto strips =
-      make_image<std::uint8_t>(size, [](int x, int) { return x / 40; });  // distance 0, 1, 2, 3
+  const Mask strips = within_image([](int x, int) { return x / 40; });  // distance 0, 1, 2, 3
   const Image<Vec3> normal = normals_of(depth, strips, 4);
   EXPECT_EQ(normal(20, 60), Vec3{});
   EXPECT_EQ(normal(60, 60), Vec3{});
@@ -100,8 +107,9 @@ TEST(Normals, NeedAWindowOfFiveByFive) {
 
 TEST(Normals, OfRadiusOneAreFittedToThreeByThree) {
   const Image<float> depth(size, 1.0f);
-  EXPECT_NEAR(norm(normals_of(depth, Mask(size, 2), 1)(60, 60)), 1, 1e-5);
-  EXPECT_EQ(normals_of(depth, Mask(size, 1), 1)(60, 60), Vec3{});
+  const auto all = [](int distance) { return within_image([&](int, int) { return distance; }); };
+  EXPECT_NEAR(norm(normals_of(depth, all(2), 1)(60, 60)), 1, 1e-5);
+  EXPECT_EQ(normals_of(depth, all(1), 1)(60, 60), Vec3{});
 }
 
 TEST(Normals, LookNoFartherThanTheDistanceAllows) {
