@@ -22,6 +22,8 @@ struct Arguments {
   bool defaults = false;
   std::string file;
   std::string dataset;
+  std::optional<std::string> masks;
+  SynthOptions synth;
   std::string list_what;
   std::vector<std::string> run_directories;
 };
@@ -34,6 +36,14 @@ void add_config_options(CLI::App& command, Arguments& a) {
 
 void add_data_root(CLI::App& command, Arguments& a) {
   command.add_option("--data-root", a.run.data_root, "folder that holds the data sets; beats FACET_DATA");
+}
+
+void add_voice(CLI::App& command, Arguments& a) {
+  auto* quiet = command.add_flag("-q,--quiet", a.voice.quiet, "errors alone on stderr");
+  command.add_flag("-v,--verbose", a.voice.verbose, "every frame on stderr")->excludes(quiet);
+  command.add_flag("--no-progress", a.voice.no_progress, "no progress on stderr");
+  command.add_option("--color", a.voice.color, "auto, always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
 void add_run(CLI::App& app, Arguments& a) {
@@ -58,11 +68,19 @@ void add_run(CLI::App& app, Arguments& a) {
   run->add_option("--backend", a.run.backend, "cpu, cuda or auto")
       ->check(CLI::IsMember({"cpu", "cuda", "auto"}))
       ->capture_default_str();
-  auto* quiet = run->add_flag("-q,--quiet", a.voice.quiet, "errors alone on stderr");
-  run->add_flag("-v,--verbose", a.voice.verbose, "every frame on stderr")->excludes(quiet);
-  run->add_flag("--no-progress", a.voice.no_progress, "no progress on stderr");
-  run->add_option("--color", a.voice.color, "auto, always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
+  add_voice(*run, a);
+}
+
+void add_synth(CLI::App& app, Arguments& a) {
+  CLI::App* synth = app.add_subcommand("synth", "write a synthetic benchmark: frames, truth, checksums");
+  synth->add_option("spec", a.synth.spec, "spec (YAML), such as configs/synth/quick.yaml")->required();
+  auto* out = synth->add_option("-o,--out", a.synth.out, "folder to write, new or empty");
+  synth->add_option("--seed", a.synth.seed, "in place of the spec's")->check(CLI::Range(0.0, 9e15));
+  synth->add_option("-j,--jobs", a.synth.jobs, "frames at a time; the bytes do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  synth->add_flag("--dry-run", a.synth.dry_run, "say how much it is and stop")->excludes(out);
+  add_voice(*synth, a);
 }
 
 void add_others(CLI::App& app, Arguments& a) {
@@ -78,9 +96,18 @@ void add_others(CLI::App& app, Arguments& a) {
   for (const auto& [name, doc] : {std::pair{"info", "what a data set is and its frames"},
                                   std::pair{"verify", "read every frame, compare checksums and counts"}}) {
     CLI::App* command = dataset->add_subcommand(name, doc);
-    command->add_option("dataset", a.dataset, "a reader's name, or a folder with dataset.yaml")->required();
+    command
+        ->add_option("dataset", a.dataset,
+                     "a reader's name, a folder with dataset.yaml, or a synthetic benchmark (spec or folder)")
+        ->required();
     add_data_root(*command, a);
   }
+  CLI::App* check =
+      dataset->add_subcommand("validate", "check annotations against every rule of their format");
+  check->add_option("dataset", a.dataset, "a reader's name, a written benchmark, or a folder of annotations")
+      ->required();
+  check->add_option("--masks", a.masks, "folder of object masks NAME.png, where they lie apart");
+  add_data_root(*check, a);
   CLI::App* list = app.add_subcommand("list", "what there is, one line each");
   list->add_option("what", a.list_what, "methods, datasets, stages or metrics")
       ->required()
@@ -102,11 +129,18 @@ int dispatch(const CLI::App& app, Arguments& a) {
       throw facet::Error(facet::ErrorKind::usage, "show-config: give an experiment or --defaults");
     return command_show_config(a.file, a.run.overrides);
   }
+  if (app.got_subcommand("synth")) {
+    if (a.synth.out.empty() && !a.synth.dry_run)
+      throw facet::Error(facet::ErrorKind::usage, "synth: give --out DIR, or --dry-run");
+    return command_synth(a.synth, a.voice);
+  }
   if (app.got_subcommand("report")) return command_report(a.run_directories);
   if (app.got_subcommand("list")) return command_list(a.list_what);
   if (app.got_subcommand("doctor")) return command_doctor(a.run.data_root);
   const CLI::App* dataset = app.get_subcommand("dataset");
   if (dataset->got_subcommand("list")) return command_dataset_list();
+  if (dataset->got_subcommand("validate"))
+    return command_dataset_validate(a.dataset, a.run.data_root, a.masks);
   return command_dataset_report(a.dataset, a.run.data_root, dataset->got_subcommand("verify"));
 }
 
@@ -137,6 +171,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   add_run(app, arguments);
+  add_synth(app, arguments);
   add_others(app, arguments);
   try {
     app.parse(argc, argv);

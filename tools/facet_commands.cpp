@@ -9,13 +9,16 @@
 #include <spdlog/spdlog.h>
 
 #include "core/error.hpp"
+#include "dataset/benchmark_place.hpp"
 #include "dataset/verify.hpp"
+#include "experiment/benchmark_text.hpp"
 #include "experiment/build_info.hpp"
 #include "experiment/config_writer.hpp"
 #include "experiment/data_root.hpp"
 #include "experiment/dataset_text.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/runner.hpp"
+#include "experiment/validation.hpp"
 #include "facet_progress.hpp"
 #include "method/registry.hpp"
 #include "pipeline/stage_id.hpp"
@@ -101,14 +104,45 @@ int command_show_defaults() {
   return 0;
 }
 
+int command_synth(const SynthOptions& options, const Voice& voice) {
+  const facet::BenchmarkSpec spec = facet::read_benchmark_spec(options.spec, options.seed);
+  fmt::print("{}", facet::describe_estimate(spec, options.jobs));
+  std::fflush(stdout);  // before the writing starts
+  if (options.dry_run) return 0;
+  const std::size_t planned = facet::estimate_benchmark(spec).frames;
+  Progress progress(make_log(voice), !voice.no_progress && !voice.quiet);
+  const auto summary = facet::write_benchmark(spec, options.out, options.jobs,
+                                              [&](std::size_t done) { progress.on_written(done, planned); });
+  progress.clear_bar();
+  fmt::print("{}", facet::describe_summary(summary, options.out));
+  return 0;
+}
+
 int command_dataset_list() {
   return command_list("datasets");
+}
+
+/// The sets of a benchmark are data sets of their own, maybe of different sensors.
+static int verify_parts(facet::DatasetSpec spec) {
+  bool whole = true;
+  for (const facet::BenchmarkPart& part : facet::benchmark_parts(facet::find_benchmark(spec.root, {}).spec)) {
+    spec.name = spec.options["set"] = part.name;
+    const facet::DatasetReport report = facet::verify_dataset(spec);
+    fmt::print("{}", facet::describe_report(spec, report));
+    whole = whole && report.is_whole();
+  }
+  return whole ? 0 : 4;
 }
 
 int command_dataset_report(const std::string& dataset, const std::optional<std::string>& data_root,
                            bool verify) {
   const facet::DatasetSpec spec =
       facet::locate(facet::dataset_called(dataset), facet::find_data_root(data_root));
+  if (!verify && spec.reader == "benchmark") {
+    fmt::print("{}", facet::describe_benchmark(spec));
+    return 0;
+  }
+  if (spec.reader == "benchmark") return verify_parts(spec);
   if (!verify) {
     const auto data = facet::open_dataset(spec);
     fmt::print("{}", facet::describe_dataset(spec, *data));
@@ -117,6 +151,13 @@ int command_dataset_report(const std::string& dataset, const std::optional<std::
   const facet::DatasetReport report = facet::verify_dataset(spec);
   fmt::print("{}", facet::describe_report(spec, report));
   return report.is_whole() ? 0 : 4;
+}
+
+int command_dataset_validate(const std::string& dataset, const std::optional<std::string>& data_root,
+                             const std::optional<std::string>& masks) {
+  const facet::ValidationReport report = facet::validate_named(dataset, data_root, masks);
+  fmt::print("{}", facet::describe_validation(report));
+  return report.problems.empty() ? 0 : 4;
 }
 
 int command_list(const std::string& what) {

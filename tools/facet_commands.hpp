@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,10 +22,22 @@ int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_r
 int command_report(const std::vector<std::string>& run_directories);
 int command_show_config(const std::string& file, const std::vector<std::string>& overrides);
 int command_show_defaults();
+/// What `facet synth` is told.
+struct SynthOptions {
+  std::string spec;
+  std::string out;
+  std::optional<std::uint64_t> seed;
+  int jobs = 1;
+  bool dry_run = false;
+};
+int command_synth(const SynthOptions& options, const Voice& voice);
 int command_dataset_list();
 /// `dataset` is the name of a reader, or a folder with dataset.yaml; `verify` reads every frame.
 int command_dataset_report(const std::string& dataset, const std::optional<std::string>& data_root,
                            bool verify);
+/// Prints every problem of the annotations; `masks` is a folder of object masks, where they lie apart.
+int command_dataset_validate(const std::string& dataset, const std::optional<std::string>& data_root,
+                             const std::optional<std::string>& masks);
 int command_list(const std::string& what);
 int command_doctor(const std::optional<std::string>& data_root);
 std::string version_text();

@@ -29,6 +29,10 @@ void Progress::on_timed(const std::string& what, std::size_t done, std::size_t p
   show("timing " + what, done, planned);
 }
 
+void Progress::on_written(std::size_t done, std::size_t planned) {
+  show("frames written", done, planned);
+}
+
 void Progress::show(const std::string& what, std::size_t done, std::size_t planned) {
   if (!enabled_ || planned == 0) return;
   if (step_ != what) {

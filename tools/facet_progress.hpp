@@ -15,10 +15,11 @@ class Progress final : public facet::RunObserver {
   void on_note(const std::string& text) override;
   void on_frame(const facet::FrameRow& row, std::size_t done, std::size_t planned) override;
   void on_timed(const std::string& what, std::size_t done, std::size_t planned) override;
+  void on_written(std::size_t done, std::size_t planned);  ///< frames of a synthetic benchmark
+  void clear_bar();
 
  private:
   void show(const std::string& what, std::size_t done, std::size_t planned);
-  void clear_bar();
 
   std::shared_ptr<spdlog::logger> log_;
   bool enabled_;

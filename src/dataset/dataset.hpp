@@ -34,6 +34,8 @@ class Dataset {
   virtual std::string description() const = 0;  ///< one line for `dataset info`
   virtual Sensor sensor() const = 0;
   virtual bool is_sequence() const { return false; }  ///< frames are consecutive in time
+  /// What its files lie below; empty: the root it was opened with.
+  virtual std::filesystem::path folder() const { return {}; }
   virtual std::size_t size() const = 0;
   virtual std::string frame_id(std::size_t index) const = 0;
   /// Reads and checks one frame; throws Error{data} naming the file and the broken rule.

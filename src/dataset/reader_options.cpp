@@ -71,6 +71,15 @@ std::optional<double> number_option(const ReaderOptions& options, std::string_vi
   return value;
 }
 
+std::optional<std::uint64_t> seed_option(const ReaderOptions& options) {
+  constexpr double largest = 9007199254740992.0;  // 2^53: every integer up to here is a double
+  const auto seed = number_option(options, "seed");
+  if (!seed) return std::nullopt;
+  if (*seed < 0 || *seed > largest || *seed != std::floor(*seed))
+    throw Error(ErrorKind::config, "option seed: expected a whole number from 0 to 2^53");
+  return static_cast<std::uint64_t>(*seed);
+}
+
 std::optional<bool> flag_option(const ReaderOptions& options, std::string_view name) {
   const auto text = text_option(options, name);
   if (!text) return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -31,6 +32,8 @@ void check_options(const ReaderOptions& options, std::span<const OptionInfo> kno
 /// The value of an option, nothing where it is absent. Throw Error{config} where the text is of another type.
 std::optional<std::string> text_option(const ReaderOptions& options, std::string_view name);
 std::optional<double> number_option(const ReaderOptions& options, std::string_view name);
+/// The number of the option `seed`, a whole one.
+std::optional<std::uint64_t> seed_option(const ReaderOptions& options);
 std::optional<bool> flag_option(const ReaderOptions& options, std::string_view name);
 std::optional<std::vector<double>> numbers_option(const ReaderOptions& options, std::string_view name);
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/error.hpp"
+#include "dataset/benchmark.hpp"
 #include "dataset/folder.hpp"
 #include "dataset/osd.hpp"
 #include "dataset/osd_inventory.hpp"
@@ -11,13 +12,16 @@
 namespace facet {
 
 std::span<const ReaderInfo> readers() {
-  static const std::array<ReaderInfo, 3> table{{
+  static const std::array<ReaderInfo, 4> table{{
       {"osd", "Object Segmentation Database 0.2 (TU Wien): Kinect v1, table-top clutter", osd_options(), true,
        open_osd, inspect_osd},
       {"folder", "depth images (and colour) in one folder, described by dataset.yaml or by options",
        folder_options(), true, open_folder, nullptr},
       {"synthetic", "built-in scenes of boxes and cylinders on a table, with the noise of a Kinect v1",
        synthetic_options(), false, open_synthetic, nullptr},
+      {"benchmark",
+       "a synthetic benchmark with truth: its spec (rendered when read) or a folder written from it",
+       benchmark_options(), true, open_benchmark, inspect_benchmark},
   }};
   return table;
 }

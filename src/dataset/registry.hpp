@@ -16,8 +16,9 @@ namespace facet {
 /// Where a data set is and how to read it: one entry of an experiment's `datasets`.
 struct DatasetSpec {
   std::string name;
-  std::string reader;                 ///< name of a reader, see readers()
-  std::filesystem::path root;         ///< unused by readers that make their own frames
+  std::string reader;  ///< name of a reader, see readers()
+  std::filesystem::path
+      root;  ///< folder or, for benchmarks, a file; unused by readers that make their own frames
   Sensor sensor = Sensor::automatic;  ///< automatic: what the reader or the data set declares
   std::vector<std::string> frames;    ///< ids in the order to read them; empty = all
   ReaderOptions options;              ///< the names are those of ReaderInfo::options

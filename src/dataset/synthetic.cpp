@@ -1,9 +1,7 @@
 #include "dataset/synthetic.hpp"
 
 #include <array>
-#include <cmath>
 
-#include "core/error.hpp"
 #include "dataset/frame_list.hpp"
 #include "synth/synthetic_frame.hpp"
 
@@ -60,14 +58,6 @@ class SyntheticDataset : public ListedDataset {
   std::vector<std::string> all_ids_;
 };
 
-std::uint64_t seed_option(const ReaderOptions& options) {
-  constexpr double largest = 9007199254740992.0;  // 2^53: every integer up to here is a double
-  const double seed = number_option(options, "seed").value_or(1);
-  if (seed < 0 || seed > largest || seed != std::floor(seed))
-    throw Error(ErrorKind::config, "option seed: expected a whole number from 0 to 2^53");
-  return static_cast<std::uint64_t>(seed);
-}
-
 }  // namespace
 
 std::span<const OptionInfo> synthetic_options() {
@@ -82,7 +72,7 @@ std::span<const OptionInfo> synthetic_options() {
 std::unique_ptr<Dataset> open_synthetic(const DatasetSpec& spec) {
   SyntheticSpec scenes;
   scenes.scenes = text_option(spec.options, "scenes").value_or(scenes.scenes);
-  scenes.seed = seed_option(spec.options);
+  scenes.seed = seed_option(spec.options).value_or(1);
   scenes.noise_free = !flag_option(spec.options, "noise").value_or(true);
   const Sensor sensor = spec.sensor == Sensor::automatic ? Sensor::kinect_v1 : spec.sensor;
   return std::make_unique<SyntheticDataset>(spec, sensor, select_frames(spec, frame_ids(scenes)), scenes);

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
+#include "dataset/benchmark_place.hpp"
 #include "experiment/experiment_reader.hpp"
 #include "file/file_bytes.hpp"
 
@@ -30,13 +31,15 @@ DatasetSpec dataset_called(const std::string& name_or_folder) {
   for (const ReaderInfo& reader : readers()) names.emplace_back(reader.name);
   if (std::find(names.begin(), names.end(), name_or_folder) != names.end())
     return named_dataset(name_or_folder);
-  if (!std::filesystem::is_directory(name_or_folder))
-    throw Error(ErrorKind::data, fmt::format("{}: neither one of the data sets {} nor a folder",
-                                             name_or_folder, fmt::join(names, ", ")));
+  const bool benchmark = is_benchmark(name_or_folder);
+  if (!benchmark && !std::filesystem::is_directory(name_or_folder))
+    throw Error(ErrorKind::data,
+                fmt::format("{}: neither one of the data sets {} nor a folder, nor the spec of a benchmark",
+                            name_or_folder, fmt::join(names, ", ")));
   DatasetSpec spec;
-  spec.reader = "folder";
+  spec.reader = benchmark ? "benchmark" : "folder";
   spec.root = name_or_folder;
-  spec.name = std::filesystem::weakly_canonical(spec.root).filename().string();
+  spec.name = std::filesystem::weakly_canonical(spec.root).stem().string();
   return spec;
 }
 
@@ -44,6 +47,9 @@ std::string describe_dataset(const DatasetSpec& spec, const Dataset& data) {
   std::string text = heading(spec, data.description());
   text += fmt::format("sensor  {}\nframes  {}{}\n", enum_name(data.sensor()), data.size(),
                       data.is_sequence() ? ", one sequence" : "");
+  if (!spec.root.empty())
+    text += fmt::format("entry   {{name: {}, reader: {}, root: {}}}\n", spec.name, spec.reader,
+                        printable(spec.root));
   for (std::size_t i = 0; i < data.size(); ++i) text += "  " + escaped_utf8(data.frame_id(i)) + '\n';
   return text;
 }

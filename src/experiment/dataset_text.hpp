@@ -7,8 +7,8 @@
 
 namespace facet {
 
-/// A data set named on the command line: a reader's name, or a folder, which the reader `folder` reads.
-/// Throws Error{data} for anything else.
+/// A data set named on the command line: a reader's name, a synthetic benchmark (spec or folder), or a
+/// folder, which the reader `folder` reads. Throws Error{data} for anything else.
 DatasetSpec dataset_called(const std::string& name_or_folder);
 
 /// What `dataset info` and `dataset verify` print.

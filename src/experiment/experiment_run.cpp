@@ -113,7 +113,10 @@ void ExperimentRun::count_rows() {
 
 void ExperimentRun::publish_lock(const DataLock& lock) {
   std::map<std::string, std::filesystem::path> roots;
-  for (const PlannedDataset& planned : plan_.datasets) roots[planned.spec.name] = planned.spec.root;
+  for (const PlannedDataset& planned : plan_.datasets) {
+    const std::filesystem::path folder = planned.data->folder();
+    roots[planned.spec.name] = folder.empty() ? planned.spec.root : folder;
+  }
   directory_.publish("dataset.lock.json", lock.to_json(roots));
 }
 

@@ -93,6 +93,26 @@ void read_set(MapReader& reader, std::uint64_t seed, SetSpec& set) {
   }
 }
 
+/// A valid spec with another value of the key `seed`, put in where there is none; comments stay.
+std::string text_with_seed(const std::string& text, std::uint64_t seed) {
+  const YAML::Node root = YAML::Load(text);
+  const YAML::Node old = root["seed"];
+  const std::string value = std::to_string(seed);
+  // Every spec has a schema, written as a number: the place before it takes a key in either style of map.
+  for (const auto& entry : root) {
+    if (entry.first.Scalar() != (old ? "seed" : "schema")) continue;
+    const YAML::Mark place = old ? entry.second.Mark() : entry.first.Mark();
+    std::size_t at = 0;
+    for (int line = 0; line < place.line; ++line) at = text.find('\n', at) + 1;
+    at += static_cast<std::size_t>(place.column);
+    if (old) return std::string(text).replace(at, text.find_first_of(" \t\r\n,}#", at) - at, value);
+    const bool flow = root.Style() == YAML::EmitterStyle::Flow;
+    const std::string indent(static_cast<std::size_t>(place.column), ' ');
+    return std::string(text).insert(at, "seed: " + value + (flow ? ", " : "\n" + indent));
+  }
+  return text;
+}
+
 }  // namespace
 
 BenchmarkSpec parse_benchmark_spec(const std::string& text, const std::filesystem::path& name) {
@@ -124,9 +144,15 @@ BenchmarkSpec parse_benchmark_spec(const std::string& text, const std::filesyste
   return spec;
 }
 
-BenchmarkSpec read_benchmark_spec(const std::filesystem::path& file) {
-  const std::vector<std::uint8_t> bytes = read_file_bytes(file);
-  return parse_benchmark_spec({bytes.begin(), bytes.end()}, file);
+BenchmarkSpec read_benchmark_spec(const std::filesystem::path& file, std::optional<std::uint64_t> seed) {
+  std::vector<std::uint8_t> bytes;
+  try {
+    bytes = read_file_bytes(file);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::config, error.what());
+  }
+  BenchmarkSpec spec = parse_benchmark_spec({bytes.begin(), bytes.end()}, file);
+  return seed ? parse_benchmark_spec(text_with_seed(spec.text, *seed), file) : spec;
 }
 
 }  // namespace facet

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +14,14 @@ namespace facet {
 struct BenchmarkSpec {
   std::string name;
   std::vector<SetSpec> sets;
-  std::string text;  ///< the file itself
+  std::string text;  ///< the file itself, with the seed that was put in
 };
 
-/// Reads a spec (schema 1). Error{config} lists everything wrong in it as file:line:col: key: rule;
-/// Error{data} where the file cannot be read.
-BenchmarkSpec read_benchmark_spec(const std::filesystem::path& file);
+/// Reads a spec (schema 1). `seed` stands in for the key `seed` of the file; sets with a seed of their own
+/// keep it. Error{config} lists everything wrong in it as file:line:col: key: rule, also where the file
+/// cannot be read.
+BenchmarkSpec read_benchmark_spec(const std::filesystem::path& file,
+                                  std::optional<std::uint64_t> seed = std::nullopt);
 /// The same for a text; `name` stands for the file in messages.
 BenchmarkSpec parse_benchmark_spec(const std::string& text, const std::filesystem::path& name);
 

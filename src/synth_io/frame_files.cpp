@@ -1,5 +1,6 @@
 #include "synth_io/frame_files.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 
@@ -56,6 +57,16 @@ int write_frame_files(const SetSpec& set, const PlannedFrame& planned, const std
                         annotation_text(truth_of(truth, picture.exact), planned.id + ".png"));
   write_file_atomically(folder / "truth" / (planned.id + ".geometry.json"), geometry_text(truth, picture));
   return picture.objects_requested - static_cast<int>(picture.view.scene.objects.size());
+}
+
+bool has_frame_files(const std::string& id, const std::filesystem::path& folder) {
+  const std::vector<std::string> names{"depth/" + id + ".png", "color/" + id + ".png",
+                                       "truth/" + id + ".objects.png", "truth/" + id + ".json",
+                                       "truth/" + id + ".geometry.json"};
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(folder / name, error);
+  });
 }
 
 }  // namespace facet

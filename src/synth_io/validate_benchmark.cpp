@@ -55,9 +55,10 @@ void validate_file(const fs::path& file, const fs::path& mask_file, ValidationRe
   const std::string text(bytes.begin(), bytes.end());
   cv::Mat mask;
   if (fs::exists(mask_file)) mask = read_image_file(mask_file).pixels;
+  if (mask.channels() != 1 || mask.depth() > CV_16U || mask.depth() == CV_8S)
+    throw Error(ErrorKind::data, printable(mask_file) + ": expected one channel of 8 or 16 bit integers");
   const Size size = mask.empty() ? declared_size(text) : Size{mask.cols, mask.rows};
   const Annotation annotation = parse_annotation(text, size);
-  ++report.frames;
   for (const AnnotationProblem& problem : annotation.problems) {
     report.problems.push_back(
         printable(file) + ": " +
@@ -78,7 +79,13 @@ ValidationReport validate_annotations(const fs::path& folder, const fs::path& ma
   for (const fs::path& file : annotations_below(folder)) {
     const fs::path beside = fs::path(file).replace_extension(".objects.png");
     const fs::path apart = mask_folder / file.filename().replace_extension(".png");
-    validate_file(file, mask_folder.empty() ? beside : apart, report);
+    ++report.frames;
+    try {
+      validate_file(file, mask_folder.empty() ? beside : apart, report);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::data) throw;
+      report.problems.push_back(error.what());  // a file that cannot be read; the others still can
+    }
   }
   if (report.frames == 0)
     throw Error(ErrorKind::data, printable(folder) + ": no annotation (*.json) is here");

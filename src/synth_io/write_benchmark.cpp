@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* generator_version = "1";  ///< changes whenever the same spec gives other bytes
-
 std::string sensor_name(Sensor sensor) {
   return sensor == Sensor::azure_kinect ? "azure_kinect" : sensor == Sensor::stereo ? "stereo" : "kinect_v1";
 }
@@ -122,9 +120,13 @@ BenchmarkEstimate estimate_benchmark(const BenchmarkSpec& spec) {
 
 BenchmarkSummary write_benchmark(const BenchmarkSpec& spec, const fs::path& out, int jobs,
                                  const std::function<void(std::size_t)>& progress) {
-  std::error_code no_folder;
-  if (fs::exists(out) && !(fs::is_directory(out) && fs::is_empty(out, no_folder))) {
-    throw Error(ErrorKind::data, printable(out) + ": exists and is not an empty folder");
+  std::error_code error;
+  if (fs::exists(out, error) && !(fs::is_directory(out, error) && fs::is_empty(out, error))) {
+    throw Error(ErrorKind::usage, printable(out) + ": exists and is not an empty folder");
+  }
+  fs::create_directories(out, error);  // before the first frame is rendered
+  if (error) {
+    throw Error(ErrorKind::internal, printable(out) + ": folder cannot be made: " + error.message());
   }
   BenchmarkSummary summary;
   std::vector<Task> tasks;

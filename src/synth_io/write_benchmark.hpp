@@ -10,6 +10,9 @@
 
 namespace facet {
 
+/// Changes whenever the same spec gives other bytes.
+inline constexpr const char* generator_version = "1";
+
 /// What writing a benchmark will cost, by rule of thumb; to be shown before writing.
 struct BenchmarkEstimate {
   std::size_t frames = 0;
@@ -29,8 +32,8 @@ struct BenchmarkSummary {
 /// Writes every set of the spec below `out`: one data set per set, or per sequence of a set with sequences,
 /// with dataset.yaml, depth/, color/, truth/ (annotation, object masks, geometry), and poses.txt for a
 /// sequence; then spec.yaml, version.txt and the checksums. The bytes do not depend on `jobs`. `progress` is
-/// called with the number of frames done, one call at a time. Error{data} where `out` exists and is not
-/// empty.
+/// called with the number of frames done, one call at a time. Error{usage} where `out` exists and is
+/// not an empty folder, Error{internal} where it cannot be written.
 BenchmarkSummary write_benchmark(const BenchmarkSpec& spec, const std::filesystem::path& out, int jobs,
                                  const std::function<void(std::size_t)>& progress = {});
 
