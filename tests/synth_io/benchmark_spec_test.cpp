@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "file/file_bytes.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace facet {
 namespace {
@@ -77,6 +79,21 @@ TEST(BenchmarkSpec, ImpossibleCombinationsAreNamed) {
       problem("{name: a, scenes: boxes, sensor: {model: stereo}, vary: {shadow: [0]}}").find("kinect_v1"),
       std::string::npos);
   EXPECT_NE(problem("{scenes: boxes}").find("sets[0].name: is missing"), std::string::npos);
+}
+
+TEST(BenchmarkSpec, ASeedPutInIsReadBackFromTheTextInEveryStyleOfFile) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "spec.yaml";
+  for (const char* text : {"# note\nschema: 1\nname: x\nsets: [{name: a, scenes: boxes}]\n",
+                           "schema: 1\nseed: 12 # twelve\nname: x\nsets: [{name: a, scenes: boxes}]\n",
+                           "{schema: 1, seed: 12, name: x, sets: [{name: a, scenes: boxes}]}",
+                           "  {schema: 1, name: x, sets: [{name: a, scenes: boxes}]}",
+                           "---\n  name: x\n  schema: 1\n  sets: [{name: a, scenes: boxes}]\n"}) {
+    write_file_atomically(file, std::string_view(text));
+    const BenchmarkSpec spec = read_benchmark_spec(file, 77);
+    EXPECT_EQ(spec.sets[0].seed, 77u) << text;
+    EXPECT_EQ(parse_benchmark_spec(spec.text, file).sets[0].seed, 77u) << text;
+  }
 }
 
 TEST(BenchmarkSpec, BrokenYamlAndWrongKindsOfFilesAreErrorsNotCrashes) {
