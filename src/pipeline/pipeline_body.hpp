@@ -191,15 +191,14 @@ class PipelineBody {
   }
 
   void trace_contours(FrameResult& result) {  // section 4.2.3
+    // The holes of the edge map are the regions as they were before edge pixels were given back.
+    const bool by_edge_map = params_.contours.mode == ContourMode::edge_map;
+    if (by_edge_map) trace_edge_map(executor_.on_host(b_.edge), result.labels.view(), result.surfaces);
     executor_.download(b_.label.view(), result.labels.view());
     executor_.download(b_.code.view(), result.edges.view());
-    pixels_.collect(result.labels.view(), static_cast<int>(result.surfaces.size()),
-                    executor_.on_host(b_.depth), executor_.on_host(b_.filled), camera_,
-                    params_.pose.max_points);
-    if (params_.contours.mode == ContourMode::regions)
-      trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
-    else
-      trace_edge_map(executor_.on_host(b_.edge), result.labels.view(), result.surfaces);
+    pixels_.collect(result.labels.view(), static_cast<int>(result.surfaces.size()), executor_.on_host(b_.depth),
+                    executor_.on_host(b_.filled), camera_, params_.pose.max_points);
+    if (!by_edge_map) trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
   }
 
   void validate_surfaces(FrameResult& result) {
