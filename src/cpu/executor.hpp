@@ -10,6 +10,7 @@
 
 #include "core/image.hpp"
 #include "cpu/scratch.hpp"
+#include "cpu/sparse_row.hpp"
 
 // A row loop is compiled for two instruction sets; the loader picks the better one that this processor has.
 // Without fused multiply-add (AVX2 does not imply it) both give the same results to the bit. Sanitizers start
@@ -120,17 +121,7 @@ class CpuExecutor {
 
   template <class Op>
   static void run_set_row(const Op& op, ImageView<std::uint8_t> mask, int y) {
-    const std::uint8_t* row = mask.row(y);
-    int x = 0;
-    for (; x + 8 <= mask.width; x += 8) {
-      std::uint64_t word;
-      std::memcpy(&word, row + x, sizeof word);
-      if (word == 0) continue;
-      for (int i = x; i < x + 8; ++i)
-        if (row[i]) op(i, y, GuardedAccess{});
-    }
-    for (; x < mask.width; ++x)
-      if (row[x]) op(x, y, GuardedAccess{});
+    for_each_set_in_row(mask.row(y), mask.width, [&](int x) { op(x, y, GuardedAccess{}); });
   }
 
   template <class Band>

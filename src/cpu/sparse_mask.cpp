@@ -1,8 +1,7 @@
 #include "cpu/sparse_mask.hpp"
 
-#include <cstring>
-
 #include "core/neighbours.hpp"
+#include "cpu/sparse_row.hpp"
 
 namespace facet {
 
@@ -21,18 +20,8 @@ void SparseMask::assign(ImageView<const std::uint8_t> mask, std::vector<int>& pi
     for (int i = 0; i < 8; ++i)
       code_[static_cast<std::size_t>(pixel + offsets_[i])] |= static_cast<std::uint8_t>(1u << opposite(i));
   };
-  for (int y = 0; y < mask.height; ++y) {
-    const std::uint8_t* row = mask.row(y);
-    int x = 0;
-    for (; x + 8 <= mask.width; x += 8) {
-      std::uint64_t word;
-      std::memcpy(&word, row + x, sizeof word);
-      for (int i = x; word != 0 && i < x + 8; ++i)
-        if (row[i]) add(i, y);
-    }
-    for (; x < mask.width; ++x)
-      if (row[x]) add(x, y);
-  }
+  for (int y = 0; y < mask.height; ++y)
+    for_each_set_in_row(mask.row(y), mask.width, [&](int x) { add(x, y); });
 }
 
 }  // namespace facet

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "core/image_view.hpp"
 #include "core/neighbours.hpp"
+#include "cpu/sparse_row.hpp"
 
 namespace facet {
 
@@ -24,19 +24,8 @@ constexpr int y_of(int pixel) {
 /// The pixels set in a sparse mask, in raster order.
 inline void list_set_pixels(ImageView<const std::uint8_t> mask, std::vector<int>& list) {
   list.clear();
-  for (int y = 0; y < mask.height; ++y) {
-    const std::uint8_t* row = mask.row(y);
-    int x = 0;
-    for (; x + 8 <= mask.width; x += 8) {
-      std::uint64_t word;
-      std::memcpy(&word, row + x, sizeof word);
-      if (word == 0) continue;
-      for (int i = x; i < x + 8; ++i)
-        if (row[i]) list.push_back(listed(i, y));
-    }
-    for (; x < mask.width; ++x)
-      if (row[x]) list.push_back(listed(x, y));
-  }
+  for (int y = 0; y < mask.height; ++y)
+    for_each_set_in_row(mask.row(y), mask.width, [&](int x) { list.push_back(listed(x, y)); });
 }
 
 /// visit(x, y) for every set 8-neighbour of a listed pixel.
