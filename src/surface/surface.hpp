@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/edge_code.hpp"
+#include "core/image_point.hpp"
 #include "core/vec.hpp"
 
 namespace facet {
@@ -40,6 +41,15 @@ struct SurfacePose {
   Vec3 rect_axis;  ///< long axis of the contour's minimum-area rectangle, unit
 };
 
+/// A grasp with two fingers.
+struct Grasp {
+  std::array<Vec3, 2> contacts_m;           ///< where the fingers touch, camera frame
+  std::array<ImagePoint, 2> contacts_px{};  ///< the same in the image
+  Vec3 closing_axis;                        ///< unit, from the first contact to the second
+  float width_m = 0;                        ///< distance of the contacts
+  float score = 0;                          ///< larger is better
+};
+
 /// One segmented surface. `id` is its value in the label image.
 struct Surface {
   int id = 0;
@@ -55,6 +65,8 @@ struct Surface {
   std::string no_pose_reason;  ///< why `pose` is empty
   bool touches_border = false;
   bool graspable = false;  ///< has a graspable edge on its outline
+  std::vector<Grasp> grasps;
+  int object = 0;  ///< group of surfaces that the method takes for one object; 0 = it does not group
 };
 
 /// A region that the validation dropped.

@@ -84,7 +84,8 @@ TruthMap rasterise(const Truth& truth, const Image<std::uint16_t>& object_masks,
   require_size(object_masks.size(), truth.size, "object masks");
   require_size(depth_m.size(), truth.size, "depth");
   TruthMap map{
-      surface_labels(truth), Image<TruthRegion>(truth.size), std::vector<int>(truth.surfaces.size()), {}};
+      surface_labels(truth), Image<TruthRegion>(truth.size), std::vector<int>(truth.surfaces.size()), {}, {}};
+  map.drawn = map.surfaces;
   classify(truth, object_masks, depth_m, map);
   for (int y = 0; y < truth.size.height; ++y) {
     for (int x = 0; x < truth.size.width; ++x) {

@@ -22,6 +22,7 @@ struct TruthMap {
   Image<TruthRegion> regions;
   std::vector<int> area_px;          ///< per surface, after overlap and void removal
   std::vector<bool> surface_counts;  ///< false: void, fewer than counted_surface_px pixels remain
+  Image<std::uint16_t> drawn;        ///< as `surfaces`, before void pixels are removed
 };
 
 /// Rasterises the polygons and applies the void rules. `object_masks` (visible objects, 0 = none) and
