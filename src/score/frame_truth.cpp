@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include <set>
 
 #include "core/error.hpp"
 #include "score/offsets.hpp"
@@ -46,34 +47,64 @@ void add_support_parts(const Image<float>& depth_m, FrameTruth& out) {
   for (int y = 0; y < out.size.height; ++y) {
     for (int x = 0; x < out.size.width; ++x) {
       const bool measured = depth_m.empty() || depth_m(x, y) != 0;
-      support(x, y) = measured && out.regions(x, y) == TruthRegion::support ? 1 : 0;
+      support(x, y) = measured && out.surfaces.regions(x, y) == TruthRegion::support ? 1 : 0;
     }
   }
   out.support_parts = connected_parts(support, counted_surface_px);
 }
 
-/// Numbers the objects of the masks without gaps, leaving out void pixels and objects of too few.
-void add_objects(const Image<std::uint16_t>& masks, FrameTruth& out) {
-  if (masks.empty()) return;
-  out.has_masks = true;
-  out.mask_object = masks;
+/// Numbers the objects without gaps, leaving out those of too few pixels. `objects.regions` must be known.
+void add_objects(const Image<std::uint16_t>& values, FrameTruth& out) {
   std::vector<int> area_px(65536, 0);
   std::vector<std::uint16_t> index(65536, 0);
-  const auto value_at = [&](int x, int y) -> std::uint16_t {
-    return out.regions(x, y) == TruthRegion::ignored ? 0 : masks(x, y);
-  };
+  Image<TruthRegion>& regions = out.objects.regions;
   for (int y = 0; y < out.size.height; ++y)
-    for (int x = 0; x < out.size.width; ++x) ++area_px[value_at(x, y)];
-  for (int value = 1; value < 65536; ++value) {
-    const auto at = static_cast<std::size_t>(value);
-    if (area_px[at] < counted_surface_px) continue;
-    out.object_values.push_back(value);
-    out.objects.area_px.push_back(area_px[at]);
-    index[at] = static_cast<std::uint16_t>(out.object_values.size());
+    for (int x = 0; x < out.size.width; ++x)
+      if (regions(x, y) != TruthRegion::ignored) ++area_px[values(x, y)];
+  for (std::size_t value = 1; value < index.size(); ++value) {
+    if (area_px[value] < counted_surface_px) continue;
+    out.object_values.push_back(static_cast<int>(value));
+    out.objects.area_px.push_back(area_px[value]);
+    index[value] = static_cast<std::uint16_t>(out.object_values.size());
   }
-  out.objects.map.resize(out.size);
-  for (int y = 0; y < out.size.height; ++y)
-    for (int x = 0; x < out.size.width; ++x) out.objects.map(x, y) = index[value_at(x, y)];
+  out.objects.map = Image<std::uint16_t>(out.size, 0);
+  for (int y = 0; y < out.size.height; ++y) {
+    for (int x = 0; x < out.size.width; ++x) {
+      if (values(x, y) == 0 || regions(x, y) == TruthRegion::ignored) continue;
+      out.objects.map(x, y) = index[values(x, y)];
+      regions(x, y) = index[values(x, y)] > 0 ? TruthRegion::surface : TruthRegion::ignored;
+    }
+  }
+  out.objects.outlines = region_outlines(out.objects.map, out.objects.size(), regions);
+}
+
+/// The object of every surface that counts.
+Image<std::uint16_t> objects_of_surfaces(const FrameTruth& frame) {
+  Image<std::uint16_t> values(frame.size, 0);
+  for (int y = 0; y < frame.size.height; ++y)
+    for (int x = 0; x < frame.size.width; ++x)
+      if (frame.surfaces.map(x, y) != 0) values(x, y) = frame.surface_object(x, y);
+  return values;
+}
+
+/// Notes which surfaces of its object the edge bounds.
+void add_bounded_surfaces(const FrameTruth& frame, ScoredEdge& edge) {
+  const std::vector<GridOffset> around = offsets_within(neighbourhood_px + 1);
+  std::map<int, int> samples_near;  // per surface
+  for (const ImagePoint s : edge.samples) {
+    std::set<int> near;
+    const int cx = static_cast<int>(std::lround(s.x)), cy = static_cast<int>(std::lround(s.y));
+    for (const GridOffset& o : around) {
+      const int x = cx + o.dx, y = cy + o.dy;
+      if (!frame.size.contains(x, y) || frame.surfaces.map(x, y) == 0) continue;
+      const int surface = frame.surfaces.map(x, y) - 1;
+      const bool own = frame.scored_surfaces[static_cast<std::size_t>(surface)].object == edge.object;
+      if (own && std::hypot(x - s.x, y - s.y) <= neighbourhood_px + distance_slack_px) near.insert(surface);
+    }
+    for (const int surface : near) ++samples_near[surface];
+  }
+  for (const auto& [surface, count] : samples_near)
+    if (2 * count >= static_cast<int>(edge.samples.size())) edge.surfaces.push_back(surface);
 }
 
 void add_edges(const Truth& truth, FrameTruth& out) {
@@ -82,9 +113,10 @@ void add_edges(const Truth& truth, FrameTruth& out) {
     distance = Image<float>(out.size, std::numeric_limits<float>::infinity());
   for (const TruthEdge& edge : truth.edges) {
     const bool counts = length_px(edge.line) >= counted_edge_length_px;
+    if (edge.kind == EdgeKind::none) throw Error(ErrorKind::data, "a truth edge has no kind");
     out.edges.push_back(
         {edge.number, edge.object, edge.kind, edge.graspable, counts, edge.line, sample_line(edge.line)});
-    if (edge.kind == EdgeKind::none) throw Error(ErrorKind::data, "a truth edge has no kind");
+    add_bounded_surfaces(out, out.edges.back());
     draw_distance(edge.line, reach_px, out.edge_distance_px[static_cast<std::size_t>(edge.kind) - 1]);
   }
 }
@@ -115,21 +147,22 @@ double FrameTruth::tolerance_px() const {
   return 0.0075 * std::hypot(size.width, size.height);
 }
 
-int FrameTruth::counted_edges() const {
-  return static_cast<int>(
-      std::count_if(edges.begin(), edges.end(), [](const ScoredEdge& e) { return e.counts; }));
-}
-
 FrameTruth frame_truth(const Truth& truth, const Image<std::uint16_t>& object_masks,
                        const Image<float>& depth_m, std::vector<TruePose> poses) {
   TruthMap map = rasterise(truth, object_masks, depth_m);
   FrameTruth out{.size = truth.size, .has_surfaces = true};
   add_surfaces(truth, map, out);
-  out.regions = std::move(map.regions);
+  out.surfaces.regions = std::move(map.regions);
+  out.surfaces.outlines = region_outlines(out.surfaces.map, out.surfaces.size(), out.surfaces.regions);
   out.poses = std::move(poses);
   add_support_parts(depth_m, out);
-  add_objects(object_masks, out);
   add_edges(truth, out);
+  if (!object_masks.empty()) {
+    out.has_masks = true;
+    out.mask_object = object_masks;
+    out.objects.regions = out.surfaces.regions;
+    add_objects(objects_of_surfaces(out), out);
+  }
   add_near_object(out);
   return out;
 }
@@ -137,21 +170,14 @@ FrameTruth frame_truth(const Truth& truth, const Image<std::uint16_t>& object_ma
 FrameTruth frame_truth(const Image<std::uint16_t>& object_masks, const Image<float>& depth_m) {
   if (!depth_m.empty() && depth_m.size() != object_masks.size())
     throw Error(ErrorKind::data, "depth: size differs from the object masks");
-  FrameTruth out{.size = object_masks.size()};
-  out.regions = Image<TruthRegion>(out.size, TruthRegion::background);
-  for (int y = 0; y < out.size.height; ++y) {
-    for (int x = 0; x < out.size.width; ++x) {
-      if (object_masks(x, y) != 0) {
-        out.regions(x, y) = TruthRegion::surface;
-      } else if (!depth_m.empty() && depth_m(x, y) == 0) {
-        out.regions(x, y) = TruthRegion::ignored;
-      }
-    }
-  }
-  add_objects(object_masks, out);
+  FrameTruth out{.size = object_masks.size(), .has_masks = true};
+  out.mask_object = object_masks;
+  out.objects.regions = Image<TruthRegion>(out.size, TruthRegion::background);
   for (int y = 0; y < out.size.height; ++y)
     for (int x = 0; x < out.size.width; ++x)
-      if (object_masks(x, y) != 0 && out.objects.map(x, y) == 0) out.regions(x, y) = TruthRegion::ignored;
+      if (object_masks(x, y) == 0 && !depth_m.empty() && depth_m(x, y) == 0)
+        out.objects.regions(x, y) = TruthRegion::ignored;
+  add_objects(object_masks, out);
   add_near_object(out);
   return out;
 }

@@ -4,15 +4,18 @@
 #include <vector>
 
 #include "score/connected_parts.hpp"
+#include "score/region_outlines.hpp"
 #include "score/true_pose.hpp"
 #include "truth/truth_map.hpp"
 
 namespace facet {
 
-/// A labelling of the truth by items that count.
+/// A labelling of the truth by items that count: its surfaces, or its visible objects.
 struct TruthLabels {
-  Image<std::uint16_t> map{};  ///< item index + 1, 0 = none; without void pixels
-  std::vector<int> area_px{};  ///< per item
+  Image<TruthRegion> regions{};  ///< what every pixel is for scores of these items
+  Image<std::uint16_t> map{};    ///< item index + 1, 0 = none; without void pixels
+  std::vector<int> area_px{};    ///< per item
+  std::vector<Outline> outlines{};
   std::size_t size() const { return area_px.size(); }
 };
 
@@ -38,19 +41,23 @@ struct ScoredEdge {
   bool counts = false;  ///< at least counted_edge_length_px long
   ImagePath line{};
   ImagePath samples{};  ///< at arc lengths 0, 1, 2, ... px
+  /// Indices of the surfaces of its object that it bounds: at least half of its samples lie within
+  /// neighbourhood_px of them.
+  std::vector<int> surfaces{};
 };
 
 /// Truth of a frame with everything that the scores read by pixel, made once for all methods.
 struct FrameTruth {
   Size size{};
-  bool has_surfaces = false;  ///< annotated by surfaces; otherwise by object masks alone
-  bool has_masks = false;     ///< object masks are known
-  Image<TruthRegion> regions{};
-  TruthLabels surfaces{};            ///< items: scored_surfaces
-  ConnectedParts surface_parts{};    ///< of surfaces.map, at least counted_surface_px
-  ConnectedParts support_parts{};    ///< of the support with depth, at least counted_surface_px
-  TruthLabels objects{};             ///< visible objects of the masks that count, void removed
-  std::vector<int> object_values{};  ///< their mask values
+  bool has_surfaces = false;       ///< annotated by surfaces; otherwise by object masks alone
+  bool has_masks = false;          ///< object masks are known
+  TruthLabels surfaces{};          ///< items: scored_surfaces; empty where they are not annotated
+  ConnectedParts surface_parts{};  ///< of surfaces.map, at least counted_surface_px
+  ConnectedParts support_parts{};  ///< of the support with depth, at least counted_surface_px
+  /// Items: visible objects with counted_surface_px; empty without masks. Where surfaces are annotated, an
+  /// object is the union of its surfaces: the rest of its mask is void.
+  TruthLabels objects{};
+  std::vector<int> object_values{};  ///< their mask values (group ids)
   std::vector<ScoredSurface> scored_surfaces{};
   std::vector<ScoredObject> scored_objects{};
   std::vector<ScoredEdge> edges{};
@@ -63,10 +70,11 @@ struct FrameTruth {
 
   /// 0.0075 of the image diagonal (the rule of BSDS500): 6 px at 640x480.
   double tolerance_px() const;
-  int counted_edges() const;
 };
 
 inline constexpr double region_of_interest_px = 20;
+/// What lies this near to an edge is at the edge.
+inline constexpr double neighbourhood_px = 3;
 /// Largest tolerance of the curve of edge scores.
 inline constexpr int edge_curve_px = 10;
 

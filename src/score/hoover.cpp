@@ -80,13 +80,13 @@ void count(const Instance& instance, HooverCounts& counts) {
 
 }  // namespace
 
-HooverCounts hoover_counts(const TruthLabels& truth, const PredictedRegions& predicted,
-                           const std::vector<Overlap>& overlaps, const std::vector<RegionClass>& classes,
-                           double tolerance) {
+HooverCounts hoover_counts(const RegionComparison& comparison, double tolerance) {
+  const TruthLabels& truth = comparison.truth;
+  const std::vector<RegionClass>& classes = comparison.classes;
   std::vector<Overlap> compared;
-  for (const Overlap& o : overlaps)
+  for (const Overlap& o : comparison.overlaps)
     if (is_compared(classes[static_cast<std::size_t>(o.b)])) compared.push_back(o);
-  std::vector<Instance> instances = all_instances({truth, predicted}, compared, tolerance);
+  std::vector<Instance> instances = all_instances({truth, comparison.predicted}, compared, tolerance);
   std::stable_sort(instances.begin(), instances.end(),
                    [](const Instance& a, const Instance& b) { return a.mean_share > b.mean_share; });
   HooverCounts counts{

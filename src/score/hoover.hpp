@@ -22,9 +22,7 @@ struct HooverCounts {
 /// `tolerance` in (0.5, 1]. A surface or region that fits several instances takes part in the one with the
 /// highest mean of its two overlap shares (common pixels over the pixels of its surfaces, and over those of
 /// its regions); ties: correct, over-, under-segmented, lowest index.
-HooverCounts hoover_counts(const TruthLabels& truth, const PredictedRegions& predicted,
-                           const std::vector<Overlap>& overlaps, const std::vector<RegionClass>& classes,
-                           double tolerance);
+HooverCounts hoover_counts(const RegionComparison& comparison, double tolerance);
 
 /// Tolerances of the curve: 0.51, 0.52, ..., 0.95.
 inline constexpr int hoover_curve_points = 45;

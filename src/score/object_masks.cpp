@@ -7,11 +7,12 @@
 namespace facet {
 namespace {
 
-void count_leakage(const FrameTruth& frame, const PredictedRegions& predicted,
-                   const std::vector<Overlap>& overlaps, ObjectMaskScore& score) {
-  const std::size_t count = predicted.regions.size();
+void count_leakage(const RegionComparison& comparison, ObjectMaskScore& score) {
+  const TruthLabels& truth = comparison.truth;
+  const std::vector<Overlap>& overlaps = comparison.overlaps;
+  const std::size_t count = comparison.predicted.regions.size();
   std::vector<int> none_px(count), largest_px(count, 0), majority(count, -1);
-  for (std::size_t r = 0; r < count; ++r) none_px[r] = predicted.regions[r].area_px;
+  for (std::size_t r = 0; r < count; ++r) none_px[r] = comparison.predicted.regions[r].area_px;
   for (const Overlap& o : overlaps) {
     const auto r = static_cast<std::size_t>(o.b);
     none_px[r] -= o.px;
@@ -19,8 +20,7 @@ void count_leakage(const FrameTruth& frame, const PredictedRegions& predicted,
   }
   for (std::size_t r = 0; r < count; ++r)
     if (none_px[r] > largest_px[r]) majority[r] = -1;
-  score.leakage.n = score.coverage.n =
-      std::accumulate(frame.objects.area_px.begin(), frame.objects.area_px.end(), 0);
+  score.leakage.n = score.coverage.n = std::accumulate(truth.area_px.begin(), truth.area_px.end(), 0);
   for (const Overlap& o : overlaps) {
     score.coverage.hit += o.px;
     if (majority[static_cast<std::size_t>(o.b)] != o.a) score.leakage.hit += o.px;
@@ -29,21 +29,19 @@ void count_leakage(const FrameTruth& frame, const PredictedRegions& predicted,
 
 }  // namespace
 
-ObjectMaskScore score_object_masks(const FrameTruth& frame, const PredictedRegions& predicted,
-                                   const std::vector<Overlap>& overlaps,
-                                   const std::vector<RegionClass>& classes) {
+ObjectMaskScore score_object_masks(const RegionComparison& comparison) {
+  const std::vector<Outline>& outlines = comparison.outlines;
   ObjectMaskScore score;
-  count_leakage(frame, predicted, overlaps, score);
-  std::vector<ContourPoint> of_objects, of_regions, of_compared;
-  for (const auto& outline : region_outlines(frame.objects.map, frame.objects.size(), frame.regions))
+  count_leakage(comparison, score);
+  Outline of_objects, of_regions, of_compared;
+  for (const Outline& outline : comparison.truth.outlines)
     of_objects.insert(of_objects.end(), outline.begin(), outline.end());
-  const auto outlines = region_outlines(predicted.map, predicted.regions.size(), frame.regions);
   for (std::size_t r = 0; r < outlines.size(); ++r) {
     of_regions.insert(of_regions.end(), outlines[r].begin(), outlines[r].end());
-    if (is_compared(classes[r]))
+    if (is_compared(comparison.classes[r]))
       of_compared.insert(of_compared.end(), outlines[r].begin(), outlines[r].end());
   }
-  NearbyCounter nearby(frame.size, boundary_radius_px(frame.size));
+  NearbyCounter nearby(comparison.truth.map.size(), boundary_radius_px(comparison.truth.map.size()));
   score.outline_recall = {nearby.count(of_objects, of_regions), static_cast<int>(of_objects.size())};
   score.outline_precision = {nearby.count(of_compared, of_objects), static_cast<int>(of_compared.size())};
   return score;

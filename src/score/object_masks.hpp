@@ -15,8 +15,6 @@ struct ObjectMaskScore {
 };
 
 /// "Near" as in the boundary scores: boundary_radius_px().
-ObjectMaskScore score_object_masks(const FrameTruth& frame, const PredictedRegions& predicted,
-                                   const std::vector<Overlap>& overlaps,
-                                   const std::vector<RegionClass>& classes);
+ObjectMaskScore score_object_masks(const RegionComparison& comparison);
 
 }  // namespace facet

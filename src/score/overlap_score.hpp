@@ -1,7 +1,6 @@
 #pragma once
 
 #include "score/region_match.hpp"
-#include "score/region_outlines.hpp"
 
 namespace facet {
 
@@ -21,9 +20,7 @@ struct OverlapScore {
 
 /// Assigns compared regions to items one to one at the largest total F; pairs without a common pixel are not
 /// assigned.
-OverlapScore score_overlap(const FrameTruth& frame, const TruthLabels& truth,
-                           const PredictedRegions& predicted, const std::vector<Overlap>& overlaps,
-                           const std::vector<RegionClass>& classes);
+OverlapScore score_overlap(const RegionComparison& comparison);
 
 /// Precision, recall and F with the edge cases of the protocol: nothing predicted gives P = 1, nothing to
 /// find R = 1; F is 1 where there is neither, 0 where one is missing.

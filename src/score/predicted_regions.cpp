@@ -17,12 +17,12 @@ void require_size(Size size, Size expected, const char* what) {
 
 /// Regions of the labels; labels with the same representative are one region. A representative is a label or,
 /// beyond 65535, the name of a group.
-PredictedRegions regions_by(const FrameTruth& truth, const Image<std::uint16_t>& labels,
+PredictedRegions regions_by(const TruthLabels& truth, const Image<std::uint16_t>& labels,
                             const std::vector<int>& representative) {
   std::vector<bool> present(65536, false);
   for (int y = 0; y < labels.height(); ++y)
     for (int x = 0; x < labels.width(); ++x) present[labels(x, y)] = true;
-  PredictedRegions out{Image<std::uint16_t>(truth.size, 0), {}};
+  PredictedRegions out{Image<std::uint16_t>(labels.size(), 0), {}};
   std::map<int, std::uint16_t> by_representative;
   std::vector<std::uint16_t> index(65536, 0);
   for (int id = 1; id < 65536; ++id) {
@@ -67,7 +67,7 @@ void require_size_of_truth(const FrameTruth& truth, const Prediction& prediction
 PredictedRegions surface_regions(const FrameTruth& truth, const Prediction& prediction) {
   require_size_of_truth(truth, prediction);
   std::vector<int> representative = every_label_by_itself();
-  PredictedRegions single = regions_by(truth, prediction.labels, representative);
+  PredictedRegions single = regions_by(truth.surfaces, prediction.labels, representative);
   std::vector<int> part_count(truth.surfaces.size(), 0);
   const auto surface_of = [&](int part) {
     return static_cast<std::size_t>(truth.surface_parts.parts[static_cast<std::size_t>(part)].label - 1);
@@ -86,7 +86,7 @@ PredictedRegions surface_regions(const FrameTruth& truth, const Prediction& pred
     for (const int id : ids) representative[static_cast<std::size_t>(id)] = *ids.begin();
     joins = joins || ids.size() > 1;
   }
-  return joins ? regions_by(truth, prediction.labels, representative) : std::move(single);
+  return joins ? regions_by(truth.surfaces, prediction.labels, representative) : std::move(single);
 }
 
 PredictedRegions object_regions(const FrameTruth& truth, const Prediction& prediction) {
@@ -96,7 +96,7 @@ PredictedRegions object_regions(const FrameTruth& truth, const Prediction& predi
     if (surface.object != 0 && surface.id > 0 && surface.id < 65536)
       representative[static_cast<std::size_t>(surface.id)] = 65536 + surface.object;
   }
-  return regions_by(truth, prediction.labels, representative);
+  return regions_by(truth.objects, prediction.labels, representative);
 }
 
 }  // namespace facet

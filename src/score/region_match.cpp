@@ -50,4 +50,18 @@ std::vector<RegionClass> classify_regions(const FrameTruth& truth, const Predict
   return classes;
 }
 
+RegionComparison compare_regions(const FrameTruth& frame, const TruthLabels& truth,
+                                 PredictedRegions predicted) {
+  std::vector<Overlap> overlaps = count_overlaps(truth.map, predicted.map);
+  std::vector<RegionMatch> matches = match_regions(truth, predicted, overlaps, 0.5);
+  std::vector<RegionClass> classes = classify_regions(frame, predicted, overlaps, matches);
+  std::vector<Outline> outlines = region_outlines(predicted.map, predicted.regions.size(), truth.regions);
+  return {truth,
+          std::move(predicted),
+          std::move(overlaps),
+          std::move(matches),
+          std::move(classes),
+          std::move(outlines)};
+}
+
 }  // namespace facet

@@ -35,4 +35,16 @@ inline bool is_compared(RegionClass c) {
   return c == RegionClass::matched || c == RegionClass::wrong;
 }
 
+/// Everything that the scores of regions need of one prediction: of its surfaces, or of its objects.
+struct RegionComparison {
+  const TruthLabels& truth;
+  PredictedRegions predicted;
+  std::vector<Overlap> overlaps;     ///< pixels that items (a) and regions (b) share
+  std::vector<RegionMatch> matches;  ///< at IoU 0.5
+  std::vector<RegionClass> classes;  ///< given these matches
+  std::vector<Outline> outlines;     ///< of the regions
+};
+RegionComparison compare_regions(const FrameTruth& frame, const TruthLabels& truth,
+                                 PredictedRegions predicted);
+
 }  // namespace facet

@@ -11,14 +11,14 @@
 namespace facet {
 namespace {
 
-std::vector<ContourPoint> outline(const Image<std::uint16_t>& labels, int label, const PixelBox& box) {
+Outline outline(const Image<std::uint16_t>& labels, int label, const PixelBox& box) {
   cv::Mat mask(box.y1 - box.y0 + 1, box.x1 - box.x0 + 1, CV_8U);
   for (int y = box.y0; y <= box.y1; ++y)
     for (int x = box.x0; x <= box.x1; ++x)
       mask.at<std::uint8_t>(y - box.y0, x - box.x0) = labels(x, y) == label ? 1 : 0;
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE, {box.x0, box.y0});
-  std::vector<ContourPoint> points;
+  Outline points;
   for (const auto& contour : contours)
     for (const cv::Point p : contour) points.push_back({p.x, p.y});
   std::sort(points.begin(), points.end(),
@@ -37,13 +37,13 @@ bool touches_void(ContourPoint p, const Image<TruthRegion>& regions) {
 
 }  // namespace
 
-std::vector<std::vector<ContourPoint>> region_outlines(const Image<std::uint16_t>& labels, std::size_t count,
-                                                       const Image<TruthRegion>& regions) {
+std::vector<Outline> region_outlines(const Image<std::uint16_t>& labels, std::size_t count,
+                                     const Image<TruthRegion>& regions) {
   std::vector<PixelBox> boxes(count, PixelBox{labels.width(), labels.height(), -1, -1});
   for (int y = 0; y < labels.height(); ++y)
     for (int x = 0; x < labels.width(); ++x)
       if (labels(x, y) != 0) boxes[labels(x, y) - 1u].add(x, y);
-  std::vector<std::vector<ContourPoint>> outlines(count);
+  std::vector<Outline> outlines(count);
   for (std::size_t k = 0; k < count; ++k) {
     if (boxes[k].empty()) continue;
     outlines[k] = outline(labels, static_cast<int>(k) + 1, boxes[k]);
@@ -56,7 +56,7 @@ NearbyCounter::NearbyCounter(Size size, double radius_px) : stamp_(size, 0) {
   for (const GridOffset& o : offsets_within(radius_px)) disk_.push_back({o.dx, o.dy});
 }
 
-int NearbyCounter::count(const std::vector<ContourPoint>& points, const std::vector<ContourPoint>& others) {
+int NearbyCounter::count(const Outline& points, const Outline& others) {
   ++current_;
   for (const ContourPoint p : others) {
     for (const ContourPoint d : disk_)

@@ -7,11 +7,14 @@
 
 namespace facet {
 
+/// Pixels of an outline.
+using Outline = std::vector<ContourPoint>;
+
 /// Outer outlines of the labels 1 ... count of a label image, one pixel wide, on the label's own pixels
 /// (cv::findContours, RETR_EXTERNAL); every pixel once, in raster order. Pixels with void among their eight
 /// neighbours are left out.
-std::vector<std::vector<ContourPoint>> region_outlines(const Image<std::uint16_t>& labels, std::size_t count,
-                                                       const Image<TruthRegion>& regions);
+std::vector<Outline> region_outlines(const Image<std::uint16_t>& labels, std::size_t count,
+                                     const Image<TruthRegion>& regions);
 
 /// Counts outline pixels that lie near others. Reused for many pairs of outlines of one frame.
 class NearbyCounter {
@@ -19,7 +22,7 @@ class NearbyCounter {
   /// "Near" is a distance of at most `radius_px`.
   NearbyCounter(Size size, double radius_px);
   /// Number of `points` with a pixel of `others` near.
-  int count(const std::vector<ContourPoint>& points, const std::vector<ContourPoint>& others);
+  int count(const Outline& points, const Outline& others);
 
  private:
   std::vector<ContourPoint> disk_;

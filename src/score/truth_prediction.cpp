@@ -1,0 +1,115 @@
+#include "score/truth_prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "score/offsets.hpp"
+#include "score/polyline_distance.hpp"
+
+namespace facet {
+namespace {
+
+bool is_depth(std::uint8_t code) {
+  return (code & ~graspable_edge_bit) == static_cast<int>(EdgeKind::depth);
+}
+
+/// A pixel of an edge where one of the other group (depth or crease) had been drawn already.
+struct DisplacedPixel {
+  ContourPoint at;
+  const ScoredEdge* edge;
+};
+
+/// Draws it at the free pixel nearby that is nearest to its line.
+void draw_displaced(const DisplacedPixel& pixel, const std::vector<GridOffset>& around,
+                    Image<std::uint8_t>& codes) {
+  ContourPoint best{};
+  double best_px = std::numeric_limits<double>::infinity();
+  for (const GridOffset& o : around) {
+    const ContourPoint p{pixel.at.x + o.dx, pixel.at.y + o.dy};
+    if (!codes.size().contains(p.x, p.y) || codes(p.x, p.y) != 0) continue;
+    const double away_px =
+        distance_px({static_cast<double>(p.x), static_cast<double>(p.y)}, pixel.edge->line);
+    if (away_px < best_px) best = p, best_px = away_px;
+  }
+  if (best_px < 2) codes(best.x, best.y) = edge_code(pixel.edge->kind, pixel.edge->graspable);
+}
+
+/// Every sample at its pixel. Edges of both groups that share pixels run beside each other, so that none
+/// loses pixels to the other.
+Image<std::uint8_t> draw_edges(const FrameTruth& frame) {
+  Image<std::uint8_t> codes(frame.size, 0);
+  std::vector<DisplacedPixel> displaced;
+  std::set<std::pair<int, int>> seen;  // displaced already, of the crease group or of depth
+  for (const ScoredEdge& edge : frame.edges) {
+    const std::uint8_t code = edge_code(edge.kind, edge.graspable);
+    for (const ImagePoint s : edge.samples) {
+      const ContourPoint p{static_cast<int>(std::lround(s.x)), static_cast<int>(std::lround(s.y))};
+      if (!codes.size().contains(p.x, p.y)) continue;
+      if (codes(p.x, p.y) == 0) {
+        codes(p.x, p.y) = code;
+      } else if (is_depth(codes(p.x, p.y)) != is_depth(code) && seen.insert({p.x, p.y}).second) {
+        displaced.push_back({p, &edge});
+      }
+    }
+  }
+  const std::vector<GridOffset> around = offsets_within(2);
+  for (const DisplacedPixel& pixel : displaced) draw_displaced(pixel, around, codes);
+  return codes;
+}
+
+/// Contacts in the middle of two graspable edges of the surface; of a single closed one, a half turn apart.
+void add_grasp(const FrameTruth& frame, int index, Surface& surface) {
+  std::vector<const ScoredEdge*> edges;
+  for (const ScoredEdge& edge : frame.edges) {
+    const bool bounds = std::find(edge.surfaces.begin(), edge.surfaces.end(), index) != edge.surfaces.end();
+    if (edge.counts && edge.graspable && bounds) edges.push_back(&edge);
+  }
+  if (edges.empty()) return;
+  Grasp grasp;
+  grasp.closing_axis = {1, 0, 0};
+  const ImagePath& first = edges.front()->samples;
+  const ImagePath& last = edges.back()->samples;
+  grasp.contacts_px = {edges.size() > 1 ? first[first.size() / 2] : first[0], last[last.size() / 2]};
+  surface.grasps.push_back(grasp);
+}
+
+SurfacePose pose_of(const FrameTruth& frame, int number) {
+  for (const TruePose& pose : frame.poses) {
+    if (pose.surface != number) continue;
+    if (pose.plane) return pose.pose();
+    SurfacePose estimate;
+    estimate.centre_m = pose.centroid_m;
+    return estimate;
+  }
+  return {};
+}
+
+}  // namespace
+
+Prediction truth_as_prediction(const FrameTruth& frame) {
+  const TruthLabels& items = frame.has_surfaces ? frame.surfaces : frame.objects;
+  Prediction prediction;
+  prediction.labels = items.map;
+  if (!frame.edges.empty()) prediction.edges = draw_edges(frame);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const int index = static_cast<int>(i);
+    Surface surface;
+    surface.id = index + 1;
+    surface.area_px = items.area_px[i];
+    if (frame.has_surfaces) {
+      surface.object = frame.scored_surfaces[i].object;
+      surface.curved = frame.scored_surfaces[i].curved;
+      surface.graspable = frame.scored_surfaces[i].graspable;
+      surface.pose = pose_of(frame, frame.scored_surfaces[i].number);
+      if (surface.graspable) add_grasp(frame, index, surface);
+    } else {
+      surface.object = frame.object_values[i];
+    }
+    prediction.surfaces.push_back(std::move(surface));
+  }
+  return prediction;
+}
+
+}  // namespace facet
