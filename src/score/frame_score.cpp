@@ -28,7 +28,7 @@ PredictedParts parts_of(const Prediction& prediction) {
     return surface.pose.has_value() || !surface.no_pose_reason.empty();
   };
   return {.edges = !prediction.edges.empty(),
-          .poses = s.empty() || std::any_of(s.begin(), s.end(), speaks_of_poses),
+          .poses = std::any_of(s.begin(), s.end(), speaks_of_poses),
           .grasps = std::any_of(s.begin(), s.end(),
                                 [](const Surface& surface) { return !surface.grasps.empty(); })};
 }

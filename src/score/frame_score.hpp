@@ -18,9 +18,9 @@ struct PredictedParts {
 };
 
 /// What one prediction shows of that: edges if it has an edge image; poses if a surface has one or says why
-/// not, or where there is no surface at all; grasps if a surface has one. A method that found nothing in this
-/// frame may look as if it yielded nothing: where it is known what the method yields, say so to
-/// score_frame(); summaries over frames correct it otherwise (see score/summary.hpp).
+/// not; grasps if a surface has one. A method that found nothing in this frame looks as if it yielded
+/// nothing: where it is known what the method yields, say so to score_frame(); otherwise summaries over
+/// frames take it from the other frames (see score/summary.hpp).
 PredictedParts parts_of(const Prediction& prediction);
 
 /// What the truth of a frame allows to score.
