@@ -63,6 +63,16 @@ std::vector<BenchmarkPart> selected_parts(const DatasetSpec& spec, std::vector<B
   return parts;
 }
 
+/// What the sets of the parts leave out; with several parts the name of the set goes before it.
+std::vector<std::string> absent_from(const std::vector<BenchmarkPart>& parts) {
+  std::vector<std::string> absent;
+  for (const BenchmarkPart& part : parts) {
+    for (const std::string& frame : absent_frames(part.set))
+      absent.push_back((parts.size() > 1 ? part.name + '.' : "") + frame);
+  }
+  return absent;
+}
+
 class BenchmarkDataset : public ListedDataset {
  public:
   BenchmarkDataset(const DatasetSpec& spec, Sensor sensor, BenchmarkPlace place,
@@ -70,7 +80,8 @@ class BenchmarkDataset : public ListedDataset {
       : ListedDataset(spec, sensor, select_frames(spec, ids_of(frames))),
         place_(std::move(place)),
         parts_(std::move(parts)),
-        frames_(std::move(frames)) {}
+        frames_(std::move(frames)),
+        absent_(absent_from(parts_)) {}
 
   std::string description() const override {
     return "synthetic benchmark '" + place_.spec.name + "', " +
@@ -79,12 +90,19 @@ class BenchmarkDataset : public ListedDataset {
   bool is_sequence() const override { return parts_.front().set.frames > 1; }
   std::filesystem::path folder() const override { return place_.folder; }
 
+  /// A sequence is one data set of several: the others' frames are not its own.
+  std::vector<std::string> absent() const override {
+    return is_sequence() ? std::vector<std::string>() : absent_;
+  }
+
+  std::string shortfall(std::size_t index) const override {
+    const auto [part, planned] = planned_at(index);
+    const std::filesystem::path folder = place_.folder / part.name;
+    return has_frame_files(planned.id, folder) ? shortfall_of(planned.id, folder) : "";
+  }
+
   Frame load(std::size_t index) const override {
-    const std::string id = frame_id(index);
-    const auto found = std::find_if(frames_.begin(), frames_.end(),
-                                    [&](const BenchmarkFrame& frame) { return frame.id == id; });
-    const BenchmarkPart& part = parts_[found->part];
-    const PlannedFrame& planned = part.frames[found->place];
+    const auto [part, planned] = planned_at(index);
     const std::filesystem::path folder = place_.folder / part.name;
     if (place_.rendered && !has_frame_files(planned.id, folder)) {
       write_file_atomically(place_.folder / "spec.yaml", place_.spec.text);  // says what the folder holds
@@ -93,7 +111,7 @@ class BenchmarkDataset : public ListedDataset {
     const std::string png = planned.id + ".png";
     const FrameFiles files{folder / "depth" / png, folder / "color" / png,
                            folder / "truth" / (planned.id + ".objects.png")};
-    Frame frame = load_frame(id, files, {.unit_m = depth_unit_m}, part.set.sensor.camera());
+    Frame frame = load_frame(frame_id(index), files, {.unit_m = depth_unit_m}, part.set.sensor.camera());
     frame.timestamp_s = planned.frame / frames_per_second;
     return frame;
   }
@@ -101,9 +119,16 @@ class BenchmarkDataset : public ListedDataset {
  private:
   static constexpr double frames_per_second = 30;
 
+  std::pair<const BenchmarkPart&, const PlannedFrame&> planned_at(std::size_t index) const {
+    const std::string id = frame_id(index);
+    const auto found = std::find_if(frames_.begin(), frames_.end(),
+                                    [&](const BenchmarkFrame& frame) { return frame.id == id; });
+    return {parts_[found->part], parts_[found->part].frames[found->place]};
+  }
   BenchmarkPlace place_;
   std::vector<BenchmarkPart> parts_;
   std::vector<BenchmarkFrame> frames_;
+  std::vector<std::string> absent_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "dataset/checksum.hpp"
 #include "file/file_bytes.hpp"
-#include "synth_io/write_benchmark.hpp"
+#include "synth_io/benchmark_folder.hpp"
 
 namespace facet {
 namespace {
@@ -25,7 +25,7 @@ fs::path default_cache() {
 }
 
 std::string content_key(const BenchmarkSpec& spec) {
-  const std::string content = std::string("generator ") + generator_version + '\n' + spec.text;
+  const std::string content = benchmark_content(spec);
   return sha256_hex({reinterpret_cast<const std::uint8_t*>(content.data()), content.size()}).substr(0, 32);
 }
 
@@ -33,7 +33,7 @@ std::string content_key(const BenchmarkSpec& spec) {
 
 bool is_benchmark(const fs::path& root) {
   std::error_code error;
-  return fs::is_regular_file(root, error) ||
+  return fs::is_regular_file(root, error) || fs::is_regular_file(root / unfinished_mark, error) ||
          (fs::is_regular_file(root / "spec.yaml", error) && !fs::exists(root / "dataset.yaml", error));
 }
 
@@ -42,6 +42,7 @@ BenchmarkPlace find_benchmark(const fs::path& root, const ReaderOptions& options
     throw Error(ErrorKind::data, printable(root) +
                                      ": neither the spec of a synthetic benchmark (a YAML file) nor a "
                                      "folder with spec.yaml that was written from one");
+  require_finished(root);
   const auto seed = seed_option(options);
   if (fs::is_directory(root)) {
     if (seed)
@@ -65,6 +66,14 @@ std::vector<BenchmarkPart> benchmark_parts(const BenchmarkSpec& spec) {
     }
   }
   return parts;
+}
+
+std::vector<std::string> absent_frames(const SetSpec& set) {
+  std::vector<std::string> absent;
+  for (const PlannedFrame& planned : plan_frames(set)) {
+    if (!planned.not_available.empty()) absent.push_back(planned.id + ": " + planned.not_available);
+  }
+  return absent;
 }
 
 }  // namespace facet

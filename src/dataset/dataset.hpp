@@ -38,6 +38,10 @@ class Dataset {
   virtual std::filesystem::path folder() const { return {}; }
   virtual std::size_t size() const = 0;
   virtual std::string frame_id(std::size_t index) const = 0;
+  /// What its description asks for and is not there: frames outside the sensor's range and the like.
+  virtual std::vector<std::string> absent() const { return {}; }
+  /// What a frame that was loaded lacks of what was asked for: "17 of 20 objects found room"; else empty.
+  virtual std::string shortfall(std::size_t) const { return {}; }
   /// Reads and checks one frame; throws Error{data} naming the file and the broken rule.
   virtual Frame load(std::size_t index) const = 0;
 };

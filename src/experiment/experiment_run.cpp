@@ -34,6 +34,20 @@ std::vector<std::string> unmet_wishes(const Experiment& experiment) {
   return notes;
 }
 
+/// What a data set lacks of what its description asks for; of its frames, those that were planned.
+std::vector<std::string> gaps_of(const PlannedDataset& planned) {
+  std::vector<std::string> gaps;
+  for (const std::string& frame : planned.data->absent())
+    gaps.push_back(fmt::format("data set {}: {}", planned.spec.name, frame));
+  for (const std::size_t frame : planned.frames) {
+    const std::string shortfall = planned.data->shortfall(frame);
+    if (shortfall.empty()) continue;
+    gaps.push_back(
+        fmt::format("data set {}: {}: {}", planned.spec.name, planned.data->frame_id(frame), shortfall));
+  }
+  return gaps;
+}
+
 std::vector<std::string> printable_all(const std::vector<std::string>& texts) {
   std::vector<std::string> result;
   for (const std::string& text : texts) result.push_back(escaped_utf8(text));
@@ -57,6 +71,7 @@ RunOutcome ExperimentRun::execute() {
   AccuracyPass pass(experiment_, plan_, identity_, directory_, options_, observer_, stop_signal_);
   rows_ = pass.run();
   count_rows();
+  note_gaps();
   publish_lock(pass.work().data_lock());
   const bool stopped_early = options_.fail_fast && failed() > 0;
   if (stop_signal_ == 0) {
@@ -108,6 +123,12 @@ void ExperimentRun::count_rows() {
     manifest_.frames_ok += row.status == FrameStatus::ok;
     manifest_.frames_data_error += row.status == FrameStatus::data_error;
     manifest_.frames_method_error += row.status == FrameStatus::method_error;
+  }
+}
+
+void ExperimentRun::note_gaps() {
+  for (const PlannedDataset& planned : plan_.datasets) {
+    for (std::string& gap : gaps_of(planned)) manifest_.notes.push_back(std::move(gap));
   }
 }
 

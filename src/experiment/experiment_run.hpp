@@ -21,6 +21,7 @@ class ExperimentRun {
   RunDirectory open_directory();
   void describe_run();
   void count_rows();
+  void note_gaps();
   int failed() const { return manifest_.frames_data_error + manifest_.frames_method_error; }
   void publish_lock(const DataLock& lock);
   void publish_metrics();

@@ -44,12 +44,14 @@ void write_all(int descriptor, std::span<const std::uint8_t> bytes, const std::f
   }
 }
 
+constexpr const char* temporary_suffix = ".tmp-";
+
 /// A temporary file that vanishes unless it was published.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& target) : target_(target), path_(target) {
     static std::atomic<unsigned> counter = 0;
-    path_ += ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+    path_ += temporary_suffix + std::to_string(::getpid()) + "-" + std::to_string(counter++);
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (descriptor_ < 0) fail_writing(path_);
   }
@@ -125,6 +127,15 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
   write_file_atomically(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+void remove_temporary_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const bool temporary = entry.path().filename().native().find(temporary_suffix) != std::string::npos;
+    if (temporary && entry.is_regular_file()) found.push_back(entry.path());
+  }
+  for (const auto& file : found) std::filesystem::remove(file);
 }
 
 }  // namespace facet

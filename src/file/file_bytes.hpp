@@ -21,5 +21,7 @@ std::vector<std::uint8_t> read_file_bytes(const std::filesystem::path& path);
 /// writable.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+/// Removes the temporary files that a program killed while publishing left below `folder`.
+void remove_temporary_files(const std::filesystem::path& folder);
 
 }  // namespace facet

@@ -11,7 +11,7 @@ const std::vector<SceneRecipe>& scene_families();
 /// Error{config} listing the names where there is no such family.
 const SceneRecipe& scene_family(const std::string& name);
 
-/// A random scene of the family, drawn again (at most 200 times) until one object is hidden as the recipe
+/// A random scene of the family, drawn again (at most 500 times) until one object is hidden as the recipe
 /// demands. Error{config} where that never happens.
 Layout family_layout(const SceneRecipe& recipe, std::uint64_t seed, std::uint64_t index, const Camera& camera,
                      Size size);

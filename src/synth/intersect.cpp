@@ -14,21 +14,6 @@ bool inside_polygon(const Patch& patch, double x, double y) {
   return true;
 }
 
-bool within_trim(const Patch& patch, Vec3d p) {
-  switch (patch.shape) {
-    case PatchShape::polygon:
-      return inside_polygon(patch, p.x, p.y);
-    case PatchShape::disc:
-      return p.x * p.x + p.y * p.y <= patch.radius_m * patch.radius_m;
-    case PatchShape::sphere:
-      return p.z >= patch.low_m && p.z <= patch.high_m;
-    case PatchShape::frustum:
-      return p.z >= 0 && p.z <= patch.height_m &&
-             (patch.half_angle_rad > M_PI || std::abs(std::atan2(p.y, p.x)) <= patch.half_angle_rad);
-  }
-  return false;
-}
-
 std::optional<PatchHit> intersect_flat(const Patch& patch, Vec3d origin, Vec3d direction, double limit) {
   const bool front = direction.z < 0;
   if (direction.z == 0 || (!front && patch.back_surface < 0)) return {};
@@ -69,6 +54,21 @@ std::optional<PatchHit> intersect_round(const Patch& patch, Vec3d origin, Vec3d 
 }
 
 }  // namespace
+
+bool within_trim(const Patch& patch, Vec3d p) {
+  switch (patch.shape) {
+    case PatchShape::polygon:
+      return inside_polygon(patch, p.x, p.y);
+    case PatchShape::disc:
+      return p.x * p.x + p.y * p.y <= patch.radius_m * patch.radius_m;
+    case PatchShape::sphere:
+      return p.z >= patch.low_m && p.z <= patch.high_m;
+    case PatchShape::frustum:
+      return p.z >= 0 && p.z <= patch.height_m &&
+             (patch.half_angle_rad > M_PI || std::abs(std::atan2(p.y, p.x)) <= patch.half_angle_rad);
+  }
+  return false;
+}
 
 std::optional<PatchHit> intersect(const Patch& patch, Vec3d origin, Vec3d direction, double limit) {
   const bool flat = patch.shape == PatchShape::polygon || patch.shape == PatchShape::disc;

@@ -17,13 +17,14 @@ constexpr double highest_stack_m = 0.32, contact_m = 0.0005;
 bool in_view(const SceneObject& object, const Layout& layout, const Camera& camera, Size size) {
   // Kinect v1 frames lack 53 rows on top and 72 columns on the right.
   constexpr double border_px = 12, top_px = 60, right_px = 80;
+  constexpr double nearest_m = 0.5;  // Kinect v1 and Azure Kinect measure nothing nearer
   for (const Hull& hull : posed_hulls(object)) {
     for (const Vec3d& corner : hull.points) {
       const Vec3d p = layout.view.T_world_camera.unapply(corner);
       const double grown = hull.radius_m * camera.fx / p.z;
       const double x = camera.fx * p.x / p.z + camera.cx, y = camera.fy * p.y / p.z + camera.cy;
-      if (p.z < 0.2 || x < grown + border_px || y < grown + top_px || x > size.width - grown - right_px ||
-          y > size.height - grown - border_px)
+      if (p.z - hull.radius_m < nearest_m || x < grown + border_px || y < grown + top_px ||
+          x > size.width - grown - right_px || y > size.height - grown - border_px)
         return false;
     }
   }
@@ -85,6 +86,10 @@ std::optional<Placing> drawn_placing(const SceneRecipe& recipe, const Layout& la
     if (object.shape == "ball" || !stand_on(objects[static_cast<std::size_t>(below)], object, draws))
       return {};
     if (object.pose.origin.z > highest_stack_m) return {};
+    for (int k = layout.rests_on[static_cast<std::size_t>(below)]; k >= 0;
+         k = layout.rests_on[static_cast<std::size_t>(k)]) {
+      if (!stands_over(objects[static_cast<std::size_t>(k)], object)) return {};
+    }
     return Placing{std::move(object), below};
   }
   const double angle = draws.uniform(0, 2 * M_PI), radius = recipe.spread_m * std::sqrt(draws.uniform(0, 1));
@@ -110,13 +115,14 @@ Layout empty_layout(const SceneRecipe& recipe, Draws& draws) {
 bool add_object(const SceneRecipe& recipe, const Camera& camera, Size size, Draws& draws, Layout& layout,
                 int tries) {
   for (int k = 0; k < tries; ++k) {
-    const auto placing = drawn_placing(recipe, layout, draws);
+    auto placing = drawn_placing(recipe, layout, draws);
     if (!placing) continue;
     const double gap = recipe.touching_share > 0 ? contact_m / 2 : recipe.gap_m;
-    const SceneObject& object = placing->object;
+    SceneObject& object = placing->object;
     if (!on_table(object, layout.view.scene) || !in_view(object, layout, camera, size)) continue;
     if (!is_free(object, layout, placing->rests_on, gap)) continue;
-    layout.view.scene.objects.push_back(object);
+    object.colour = unlike_colour(layout.view.scene.objects, object.colour);
+    layout.view.scene.objects.push_back(std::move(object));
     layout.rests_on.push_back(placing->rests_on);
     return true;
   }

@@ -1,5 +1,6 @@
 #include "synth/random_object.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/error.hpp"
@@ -8,9 +9,11 @@
 namespace facet {
 namespace {
 
-constexpr std::array<Rgb, 10> colours{Rgb{196, 62, 52}, {88, 150, 70},  {62, 98, 176},  {222, 184, 62},
-                                      {222, 220, 212},  {128, 82, 150}, {226, 128, 52}, {52, 148, 146},
-                                      {150, 100, 70},   {210, 130, 160}};
+constexpr std::array<Rgb, 20> colours{Rgb{196, 62, 52}, {88, 150, 70},   {62, 98, 176},   {222, 184, 62},
+                                      {222, 220, 212},  {128, 82, 150},  {226, 128, 52},  {52, 148, 146},
+                                      {150, 100, 70},   {210, 130, 160}, {110, 190, 215}, {170, 205, 100},
+                                      {240, 170, 150},  {100, 100, 110}, {120, 40, 60},   {40, 90, 60},
+                                      {185, 165, 220},  {250, 225, 150}, {60, 60, 120},   {120, 120, 40}};
 
 SceneObject drawn_box(double s, Draws& draws) {
   return make_box(
@@ -80,8 +83,22 @@ SceneObject random_object(const ObjectMix& mix, double scale, Draws& draws) {
       break;
   }
   object.pose = rotation({0, 0, 1}, draws.uniform(0, 2 * M_PI)) * object.pose;
-  object.colour = colours[static_cast<std::size_t>(draws.below(static_cast<int>(colours.size())))];
+  object.colour = drawn_colour(draws);
   return object;
+}
+
+Rgb drawn_colour(Draws& draws) {
+  return colours[static_cast<std::size_t>(draws.below(static_cast<int>(colours.size())))];
+}
+
+Rgb unlike_colour(const std::vector<SceneObject>& others, Rgb drawn) {
+  const auto is_free = [&](Rgb colour) {
+    return std::none_of(others.begin(), others.end(),
+                        [&](const SceneObject& other) { return other.colour == colour; });
+  };
+  if (is_free(drawn)) return drawn;
+  const auto found = std::find_if(colours.begin(), colours.end(), is_free);
+  return found == colours.end() ? drawn : *found;
 }
 
 }  // namespace facet

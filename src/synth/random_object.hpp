@@ -14,4 +14,9 @@ struct ObjectMix {
 /// the vertical and puts its lowest point at z = 0.
 SceneObject random_object(const ObjectMix& mix, double scale, Draws& draws);
 
+/// One of twenty colours.
+Rgb drawn_colour(Draws& draws);
+/// `drawn`, or, where one of the others has it, a colour that none of them has, as long as there is one.
+Rgb unlike_colour(const std::vector<SceneObject>& others, Rgb drawn);
+
 }  // namespace facet

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "synth/hull_overlap.hpp"
+#include "synth/intersect.hpp"
+#include "synth/random_object.hpp"
 #include "synth/shapes.hpp"
 
 namespace facet {
@@ -60,14 +62,45 @@ double base_radius(const SceneObject& object) {
   return radius;
 }
 
+/// The point of the world lies above or below the level patch.
+bool is_over(const Patch& top, Vec3d point) {
+  const Vec3d p = top.frame.unapply(point);
+  return within_trim(top, {p.x, p.y, 0});
+}
+
+/// Middle of its body: of the corners of a prism, on the axis of a round one.
+Vec3d centre_of(const SceneObject& object) {
+  const Hull body = posed_hulls(object).front();
+  Vec3d sum{};
+  for (const Vec3d& p : body.points) sum = sum + p;
+  return (1.0 / static_cast<double>(body.points.size())) * sum;
+}
+
+/// A cup or a bowl that stands on its rim: open below.
+bool stands_on_rim(const SceneObject& object) {
+  return (object.shape == "cup" || object.shape == "bowl") && object.pose.ez.z < 0;
+}
+
 }  // namespace
+
+bool stands_over(const SceneObject& support, const SceneObject& object) {
+  const auto top = level_top(support);
+  return top && is_over(*top, centre_of(object));
+}
 
 bool stand_on(const SceneObject& below, SceneObject& object, Draws& draws) {
   const auto top = level_top(below);
   constexpr double largest_overhang = 1.1;
   if (!top || base_radius(object) > largest_overhang * radius_of(*top)) return false;
-  object.pose = translation(inner_point(*top, 0.45, draws)) * object.pose;
-  return true;
+  const double rim = stands_on_rim(object) ? base_radius(object) : 0;
+  const Vec3d place = inner_point(*top, 0.45, draws);
+  object.pose = translation(place) * object.pose;
+  constexpr int rim_points = 16;
+  for (int k = 0; k < rim_points && rim > 0; ++k) {
+    const double angle = 2 * M_PI * k / rim_points;
+    if (!is_over(*top, place + rim * Vec3d{std::cos(angle), std::sin(angle), 0})) return false;
+  }
+  return stands_over(below, object);
 }
 
 std::optional<SceneObject> leaning_board(const SceneObject& box, double scale, Draws& draws) {
@@ -87,9 +120,7 @@ std::optional<SceneObject> leaning_board(const SceneObject& box, double scale, D
   SceneObject board = make_box({width * draws.uniform(0.4, 0.85), thickness, length});
   const Vec3d foot_point = 0.5 * (a + b) - height * up + foot * outward;
   board.pose = {cross(outer, rising), outer, rising, foot_point + (0.5 * thickness) * outer};
-  board.colour = {static_cast<std::uint8_t>(90 + draws.below(150)),
-                  static_cast<std::uint8_t>(90 + draws.below(150)),
-                  static_cast<std::uint8_t>(90 + draws.below(150))};
+  board.colour = drawn_colour(draws);
   return board;
 }
 

@@ -39,9 +39,11 @@ std::vector<std::string> files_below(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void write_checksums(const std::filesystem::path& folder) {
+void write_checksums(const std::filesystem::path& folder, const std::string& left_out) {
   std::string text;
-  for (const std::string& name : files_below(folder)) text += sha256_of(folder / name) + "  " + name + "\n";
+  for (const std::string& name : files_below(folder)) {
+    if (name != left_out) text += sha256_of(folder / name) + "  " + name + "\n";
+  }
   write_file_atomically(folder / checksum_list, text);
 }
 

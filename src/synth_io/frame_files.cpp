@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "core/error.hpp"
 #include "file/file_bytes.hpp"
 #include "file/image_file.hpp"
 #include "synth_io/scene_annotation.hpp"
@@ -44,7 +46,7 @@ cv::Mat mask_pixels(const Image<std::uint16_t>& ids) {
 
 }  // namespace
 
-int write_frame_files(const SetSpec& set, const PlannedFrame& planned, const std::filesystem::path& folder) {
+void write_frame_files(const SetSpec& set, const PlannedFrame& planned, const std::filesystem::path& folder) {
   const PlannedPicture picture = make_planned(set, planned);
   const Size size = picture.exact.depth_m.size();
   const PosedScene posed(picture.view.scene, picture.view.T_world_camera);
@@ -56,7 +58,6 @@ int write_frame_files(const SetSpec& set, const PlannedFrame& planned, const std
   write_file_atomically(folder / "truth" / (planned.id + ".json"),
                         annotation_text(truth_of(truth, picture.exact), planned.id + ".png"));
   write_file_atomically(folder / "truth" / (planned.id + ".geometry.json"), geometry_text(truth, picture));
-  return picture.objects_requested - static_cast<int>(picture.view.scene.objects.size());
 }
 
 bool has_frame_files(const std::string& id, const std::filesystem::path& folder) {
@@ -67,6 +68,20 @@ bool has_frame_files(const std::string& id, const std::filesystem::path& folder)
     std::error_code error;
     return std::filesystem::is_regular_file(folder / name, error);
   });
+}
+
+std::string shortfall_of(const std::string& id, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "truth" / (id + ".geometry.json");
+  const std::vector<std::uint8_t> bytes = read_file_bytes(file);
+  const auto geometry = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
+  if (!geometry.is_object() || !geometry.contains("objects") || !geometry.contains("objects_requested") ||
+      !geometry["objects_requested"].is_number_integer()) {
+    throw Error(ErrorKind::data, printable(file) + ": expected objects and objects_requested");
+  }
+  const auto requested = geometry["objects_requested"].get<std::size_t>(),
+             placed = geometry["objects"].size();
+  if (placed >= requested) return {};
+  return std::to_string(placed) + " of " + std::to_string(requested) + " objects found room";
 }
 
 }  // namespace facet

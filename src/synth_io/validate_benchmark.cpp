@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "file/file_bytes.hpp"
 #include "file/image_file.hpp"
+#include "synth_io/benchmark_folder.hpp"
 #include "synth_io/checksums.hpp"
 #include "truth/annotation.hpp"
 
@@ -75,6 +76,7 @@ void validate_file(const fs::path& file, const fs::path& mask_file, ValidationRe
 
 ValidationReport validate_annotations(const fs::path& folder, const fs::path& mask_folder) {
   if (!fs::is_directory(folder)) throw Error(ErrorKind::data, printable(folder) + ": folder is missing");
+  require_finished(folder);
   ValidationReport report;
   for (const fs::path& file : annotations_below(folder)) {
     const fs::path beside = fs::path(file).replace_extension(".objects.png");

@@ -16,7 +16,8 @@ struct ValidationReport {
 /// Checks the annotations in a folder (and its subfolders): every `NAME.json` against every rule of the
 /// format, its size against the object mask or, without one, against its own imageWidth and imageHeight, and
 /// that each group_id has pixels in the mask. Masks are `NAME.objects.png` beside the annotation, or
-/// `NAME.png` in `mask_folder` where that is given. Error{data} where there is no annotation at all.
+/// `NAME.png` in `mask_folder` where that is given. Error{data} where there is no annotation at all, or where
+/// a benchmark in the folder is unfinished.
 ValidationReport validate_annotations(const std::filesystem::path& folder,
                                       const std::filesystem::path& mask_folder = {});
 

@@ -10,9 +10,6 @@
 
 namespace facet {
 
-/// Changes whenever the same spec gives other bytes.
-inline constexpr const char* generator_version = "1";
-
 /// What writing a benchmark will cost, by rule of thumb; to be shown before writing.
 struct BenchmarkEstimate {
   std::size_t frames = 0;
@@ -32,8 +29,10 @@ struct BenchmarkSummary {
 /// Writes every set of the spec below `out`: one data set per set, or per sequence of a set with sequences,
 /// with dataset.yaml, depth/, color/, truth/ (annotation, object masks, geometry), and poses.txt for a
 /// sequence; then spec.yaml, version.txt and the checksums. The bytes do not depend on `jobs`. `progress` is
-/// called with the number of frames done, one call at a time. Error{usage} where `out` exists and is
-/// not an empty folder, Error{internal} where it cannot be written.
+/// called with the number of frames done, one call at a time. As long as something is missing, `out` holds
+/// the file `unfinished_mark` and no reader takes it for a data set; the same call completes it. Error{usage}
+/// where `out` exists and is neither an empty folder nor the unfinished benchmark of the same spec,
+/// Error{internal} where it cannot be written.
 BenchmarkSummary write_benchmark(const BenchmarkSpec& spec, const std::filesystem::path& out, int jobs,
                                  const std::function<void(std::size_t)>& progress = {});
 

@@ -123,6 +123,33 @@ TEST_F(BenchmarkReader, sequences_and_mixed_sensors_must_be_chosen_and_the_choic
                [&] { open_dataset(spec_of(two_sensors)); });
 }
 
+TEST_F(BenchmarkReader, says_which_frames_are_absent_and_which_lack_objects_once_they_are_there) {
+  const std::string text =
+      "schema: 1\nname: s\nsets:\n  - {name: full, scenes: clutter, vary: {objects: [1, 60]}}\n"
+      "  - {name: far, scenes: boxes, vary: {distance_m: [0.3, 1]}}\n";
+  DatasetSpec spec = spec_of(text);
+  const auto data = open_dataset(spec);
+  ASSERT_EQ(data->size(), 3u);
+  EXPECT_EQ(data->absent(), std::vector<std::string>{"far.distance_m_0.3_000: n/a (range)"});
+  EXPECT_EQ(data->shortfall(1), "");  // not rendered yet
+  for (const std::size_t k : {0, 1, 2}) data->load(k);
+  EXPECT_EQ(data->shortfall(0), "");
+  EXPECT_NE(data->shortfall(1).find(" of 60 objects found room"), std::string::npos) << data->shortfall(1);
+  spec.options["set"] = "far";
+  EXPECT_EQ(open_dataset(spec)->absent(), std::vector<std::string>{"distance_m_0.3_000: n/a (range)"});
+}
+
+TEST_F(BenchmarkReader, refuses_a_folder_that_is_not_finished) {
+  const DatasetSpec spec = spec_of(two_sets);
+  DatasetSpec written = spec;
+  written.root = folder.path() / "out";
+  written.options.clear();
+  write_benchmark(read_benchmark_spec(spec.root), written.root, 1);
+  EXPECT_EQ(open_dataset(written)->size(), 2u);
+  write_file_atomically(written.root / "unfinished.txt", "x");
+  expect_error(ErrorKind::data, "is unfinished", [&] { open_dataset(written); });
+}
+
 TEST_F(BenchmarkReader, says_what_is_wrong_with_root_spec_and_options) {
   DatasetSpec spec = spec_of("schema: 1\nname: x\nsets: [{name: a, scenes: pyramids}]\n");
   expect_error(ErrorKind::config, "spec.yaml.txt:3:26: sets[0].scenes", [&] { open_dataset(spec); });

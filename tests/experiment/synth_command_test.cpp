@@ -42,7 +42,15 @@ TEST_F(SynthCommand, CountsObjectsThatFoundNoRoom) {
               "schema: 1\nname: full\nsets: [{name: a, scenes: clutter, vary: {objects: [60]}}]\n");
   const auto result = facet.run({"synth", "full.yaml", "--out", "data"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("shortfall: a/objects_60_000: no room for "));
+  EXPECT_THAT(result.out,
+              ::testing::ContainsRegex("shortfall: a/objects_60_000: [0-9]+ of 60 objects found room"));
+  facet.write("exp.yaml",
+              "schema: 1\ndatasets: [{name: d, reader: benchmark, root: full.yaml, cache: cache}]\n"
+              "timing: {repeats: 0}\noutputs: {overlays: false}\n");
+  const auto run = facet.run({"run", "exp.yaml", "-o", "out"});
+  EXPECT_THAT(run.out,
+              ::testing::ContainsRegex("data set d: objects_60_000: [0-9]+ of 60 objects found room"))
+      << run.err;
   EXPECT_THAT(result.out, HasSubstr("1 frames with fewer objects than asked for"));
 }
 
@@ -83,6 +91,11 @@ TEST_F(SynthCommand, AFolderThatHoldsSomethingExitsTwoAndOneThatCannotBeWrittenS
   });
   EXPECT_EQ(full.exit_code, 70);
   EXPECT_THAT(full.err, HasSubstr("cannot be written"));
+  EXPECT_EQ(facet.run({"dataset", "validate", "data"}).exit_code, 4);  // what is there is not a whole set
+  EXPECT_EQ(facet.run({"dataset", "info", "data"}).exit_code, 4);
+  EXPECT_EQ(facet.run({"synth", "spec.yaml", "--out", "data", "--seed", "2"}).exit_code, 2);
+  EXPECT_EQ(facet.run({"synth", "spec.yaml", "--out", "data"}).exit_code, 0);  // taken up where it ended
+  EXPECT_EQ(facet.run({"dataset", "validate", "data"}).exit_code, 0);
 }
 
 TEST_F(SynthCommand, ValidationExitsFourAndNamesFileShapeAndRuleOfEveryProblem) {

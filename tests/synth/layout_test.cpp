@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "synth/families.hpp"
 #include "synth/hull_overlap.hpp"
+#include "synth/resting.hpp"
 #include "synth/shapes.hpp"
 
 namespace facet {
@@ -85,6 +86,57 @@ TEST(Layout, AStackedObjectStandsOnALevelTopWithItsMiddleOverIt) {
     }
   }
   EXPECT_GT(stacked, 15);
+}
+
+TEST(Layout, ATowerStandsWhateverItsObjectsWeigh) {
+  int third_storeys = 0;
+  for (const char* name : {"stacked_boxes", "complex", "clutter"}) {
+    for (std::uint64_t k = 0; k < 20; ++k) {
+      const Layout layout = random_layout(scene_family(name), 7, k, kinect_v1_camera(), kinect_v1_size());
+      const auto& objects = layout.view.scene.objects;
+      for (std::size_t a = 0; a < objects.size(); ++a) {
+        if (std::abs(objects[a].pose.ez.z) < 1 - 1e-9) continue;  // a board that leans, a lying cylinder
+        int storeys = 0;
+        for (int b = layout.rests_on[a]; b >= 0; b = layout.rests_on[static_cast<std::size_t>(b)]) {
+          const SceneObject& support = objects[static_cast<std::size_t>(b)];
+          EXPECT_TRUE(stands_over(support, objects[a])) << name << k;
+          third_storeys += ++storeys == 2;
+        }
+      }
+    }
+  }
+  EXPECT_GT(third_storeys, 5);
+}
+
+TEST(Layout, AnUpturnedCupDoesNotStandOnATopSmallerThanItsRim) {
+  SceneObject cup = make_cup(0.03, 0.045, 0.1, false);
+  cup.pose = upside_down(0.1);
+  int carried = 0;
+  for (std::uint64_t k = 0; k < 50; ++k) {
+    Draws draws(1, k);
+    SceneObject on_small = cup, on_large = cup;
+    EXPECT_FALSE(stand_on(make_box({0.085, 0.2, 0.05}), on_small, draws));
+    carried += stand_on(make_box({0.2, 0.2, 0.05}), on_large, draws);
+  }
+  EXPECT_GT(carried, 25);
+}
+
+TEST(Layout, ObjectsOfASceneDifferInColourAndLieBeyondTheNearestReadingOfTheSensors) {
+  for (const SceneRecipe& family : scene_families()) {
+    const Layout layout = random_layout(family, 8, 0, kinect_v1_camera(), kinect_v1_size());
+    const auto& objects = layout.view.scene.objects;
+    for (std::size_t a = 0; a < objects.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) EXPECT_FALSE(objects[a].colour == objects[b].colour);
+    }
+    const PosedScene posed(layout.view.scene, layout.view.T_world_camera);
+    const Rendering image = render(posed, kinect_v1_camera(), kinect_v1_size());
+    for (int y = 0; y < image.depth_m.height(); ++y) {
+      for (int x = 0; x < image.depth_m.width(); ++x) {
+        if (image.object_ids(x, y) == 0) continue;
+        ASSERT_GE(image.depth_m(x, y), 0.5f) << family.name;
+      }
+    }
+  }
 }
 
 TEST(Layout, TheSameSeedGivesTheSameSceneAndAnotherOneAnother) {

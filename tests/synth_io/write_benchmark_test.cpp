@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "file/file_bytes.hpp"
 #include "file/image_file.hpp"
+#include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 #include "synth_io/validate_benchmark.hpp"
 
@@ -118,6 +119,32 @@ TEST(WriteBenchmark, ValidationNamesAChangedFileAndABrokenAnnotation) {
   ASSERT_EQ(report.problems.size(), 2u);
   EXPECT_NE(report.problems[0].find("repeated label edge/2"), std::string::npos) << report.problems[0];
   EXPECT_NE(report.problems[1].find("the checksum differs"), std::string::npos);
+}
+
+TEST(WriteBenchmark, AnInterruptedFolderIsNeverTakenForAWholeOneAndTheSameCallCompletesIt) {
+  const TemporaryFolder folder;
+  const BenchmarkSpec spec = parse_benchmark_spec(small_spec, "small.yaml");
+  const fs::path whole = folder.path() / "whole", broken = folder.path() / "broken";
+  write_benchmark(spec, whole, 1);
+  const auto stop = [](std::size_t done) {
+    if (done == 3) throw Error(ErrorKind::internal, "stopped");
+  };
+  EXPECT_THROW(write_benchmark(spec, broken, 1, stop), Error);
+  write_file_atomically(broken / "boxes/depth/boxes_001.png.tmp-1-2", "half a picture");
+  EXPECT_FALSE(fs::exists(broken / "spec.yaml"));
+  EXPECT_FALSE(fs::exists(broken / "boxes/dataset.yaml"));
+  expect_error(ErrorKind::data, "is unfinished", [&] { validate_benchmark(broken); });
+  BenchmarkSpec other = parse_benchmark_spec(small_spec, "small.yaml");
+  other.text += "# changed\n";
+  expect_error(ErrorKind::usage, "unfinished benchmark of another spec",
+               [&] { write_benchmark(other, broken, 1); });
+  const auto kept = fs::last_write_time(broken / "boxes/depth/boxes_000.png");
+  EXPECT_EQ(write_benchmark(spec, broken, 2).frames, 6u);
+  EXPECT_EQ(fs::last_write_time(broken / "boxes/depth/boxes_000.png"), kept);
+  ASSERT_EQ(files_of(broken), files_of(whole));
+  for (const std::string& name : files_of(whole))
+    EXPECT_EQ(read_file_bytes(broken / name), read_file_bytes(whole / name)) << name;
+  EXPECT_TRUE(validate_benchmark(broken).problems.empty());
 }
 
 TEST(WriteBenchmark, AFolderThatHoldsSomethingIsRefused) {
