@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "score/edge_score.hpp"
 #include "score/offsets.hpp"
@@ -134,17 +136,15 @@ int match_one_to_one(const std::vector<ContourPoint>& a, const std::vector<Conto
 }
 
 std::vector<ContourPoint> boundary_truth(const FrameTruth& frame, EdgeGroup group) {
-  std::vector<ContourPoint> points;
+  std::set<std::tuple<EdgeKind, int, int>> pixels;
   for (const ScoredEdge& edge : frame.edges) {
     if (!is_in_group(edge.kind, group)) continue;
-    for (const ImagePoint s : edge.samples) {
-      const ContourPoint p{static_cast<int>(std::lround(s.x)), static_cast<int>(std::lround(s.y))};
-      if (frame.size.contains(p.x, p.y)) points.push_back(p);
-    }
+    for (const ImagePoint s : edge.samples)
+      pixels.insert({edge.kind, static_cast<int>(std::lround(s.y)), static_cast<int>(std::lround(s.x))});
   }
-  std::sort(points.begin(), points.end(),
-            [](ContourPoint l, ContourPoint r) { return l.y != r.y ? l.y < r.y : l.x < r.x; });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<ContourPoint> points;
+  for (const auto& [kind, y, x] : pixels)
+    if (frame.size.contains(x, y)) points.push_back({x, y});
   return points;
 }
 

@@ -9,7 +9,7 @@ namespace facet {
 
 /// Size of a largest set of pairs (a, b), every pixel in one pair at most, no pair farther apart than
 /// `tolerance_px`: Hopcroft and Karp 1973, started from the nearest pairs. Pixels must lie in an image of
-/// that size, each listed once.
+/// that size, those of b listed once.
 int match_one_to_one(const std::vector<ContourPoint>& a, const std::vector<ContourPoint>& b, Size size,
                      double tolerance_px);
 
@@ -22,12 +22,13 @@ struct BoundaryCounts {
 /// Edges whose boundary scores are given together.
 enum class EdgeGroup { depth, crease };
 
-/// Truth: the samples of all annotated edges of the group, rounded to unique pixels inside the image.
+/// Truth: the samples of all annotated edges of the group, rounded to pixels inside the image that are unique
+/// for each kind.
 /// Prediction: the edge pixels of the group in the region of interest, as they are (the format says one pixel
 /// wide; what is wider costs precision).
 BoundaryCounts score_boundary(const FrameTruth& frame, const Image<std::uint8_t>& codes, EdgeGroup group);
 
-/// Unique pixels of the samples of all annotated edges of the group, in raster order.
+/// Pixels of the samples of all annotated edges of the group, unique for each kind.
 std::vector<ContourPoint> boundary_truth(const FrameTruth& frame, EdgeGroup group);
 
 }  // namespace facet

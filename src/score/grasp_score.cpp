@@ -95,7 +95,7 @@ class GraspScorer {
   bool is_held(const IsOf& is_of) const {
     std::vector<const ScoredEdge*> edges;
     for (const ScoredEdge& edge : frame_.edges)
-      if (edge.counts && edge.graspable && is_of(edge)) edges.push_back(&edge);
+      if (edge.graspable && is_of(edge)) edges.push_back(&edge);
     for (const Surface& surface : prediction_.surfaces)
       for (const Grasp& grasp : surface.grasps)
         if (is_between(grasp, edges)) return true;
@@ -106,12 +106,8 @@ class GraspScorer {
     const auto [p, q] = grasp.contacts_px;
     for (const ScoredEdge* a : edges) {
       if (!touches(p, *a)) continue;
-      for (const ScoredEdge* b : edges) {
-        if (!touches(q, *b)) continue;
-        const ImagePoint first = a->line.front(), last = a->line.back();
-        const bool closed = std::hypot(first.x - last.x, first.y - last.y) <= tolerance_px_;
-        if (a != b || (closed && std::hypot(p.x - q.x, p.y - q.y) > 2 * tolerance_px_)) return true;
-      }
+      for (const ScoredEdge* b : edges)
+        if (touches(q, *b) && (a != b || turns_back(*a, p, q, tolerance_px_))) return true;
     }
     return false;
   }
@@ -124,7 +120,24 @@ class GraspScorer {
   std::vector<bool> detected_;
 };
 
+/// Direction of the edge at its sample nearest to the point, over the tolerance to both sides.
+ImagePoint direction_at(const ScoredEdge& edge, ImagePoint p, double tolerance_px) {
+  const auto nearest = std::min_element(
+      edge.samples.begin(), edge.samples.end(), [p](const ImagePoint& a, const ImagePoint& b) {
+        return std::hypot(a.x - p.x, a.y - p.y) < std::hypot(b.x - p.x, b.y - p.y);
+      });
+  const auto reach = static_cast<std::ptrdiff_t>(std::ceil(tolerance_px));
+  const ImagePoint from = *(nearest - std::min(reach, nearest - edge.samples.begin()));
+  const ImagePoint to = *(nearest + std::min(reach, edge.samples.end() - 1 - nearest));
+  return {to.x - from.x, to.y - from.y};
+}
+
 }  // namespace
+
+bool turns_back(const ScoredEdge& edge, ImagePoint p, ImagePoint q, double tolerance_px) {
+  const ImagePoint at_p = direction_at(edge, p, tolerance_px), at_q = direction_at(edge, q, tolerance_px);
+  return at_p.x * at_q.x + at_p.y * at_q.y < 0 && std::hypot(p.x - q.x, p.y - q.y) > 2 * tolerance_px;
+}
 
 bool is_valid_pose(const SurfacePose& pose) {
   double squared = 0;

@@ -18,10 +18,13 @@ struct GraspScore {
 
 /// `comparison` is that of surfaces. A contact is on an object within the tolerance of its mask or surfaces,
 /// and on an edge within the tolerance of its line. The two contacts of a grasp lie on two different
-/// graspable edges; on one and the same only where that is closed (its ends are within the tolerance) and
-/// they are more than two tolerances apart.
+/// graspable edges, short ones too, or on one that bends round and turns_back() between them.
 GraspScore score_grasps(const FrameTruth& frame, const RegionComparison& comparison,
                         const Prediction& prediction);
+
+/// Whether the edge runs back at one of the points: its directions there differ by more than a right angle,
+/// and the points are more than two tolerances apart. So the outline of a ball opposes itself.
+bool turns_back(const ScoredEdge& edge, ImagePoint p, ImagePoint q, double tolerance_px);
 
 /// Finite, with a quaternion of length 1 (to 0.001).
 bool is_valid_pose(const SurfacePose& pose);

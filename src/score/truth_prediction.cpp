@@ -3,19 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
+#include <tuple>
 
+#include "score/grasp_score.hpp"
 #include "score/offsets.hpp"
 #include "score/polyline_distance.hpp"
 
 namespace facet {
 namespace {
 
-bool is_depth(std::uint8_t code) {
-  return (code & ~graspable_edge_bit) == static_cast<int>(EdgeKind::depth);
+EdgeKind kind_of(std::uint8_t code) {
+  return static_cast<EdgeKind>(code & ~graspable_edge_bit);
 }
 
-/// A pixel of an edge where one of the other group (depth or crease) had been drawn already.
+/// A pixel of an edge where one of another kind had been drawn already.
 struct DisplacedPixel {
   ContourPoint at;
   const ScoredEdge* edge;
@@ -36,12 +39,12 @@ void draw_displaced(const DisplacedPixel& pixel, const std::vector<GridOffset>& 
   if (best_px < 2) codes(best.x, best.y) = edge_code(pixel.edge->kind, pixel.edge->graspable);
 }
 
-/// Every sample at its pixel. Edges of both groups that share pixels run beside each other, so that none
+/// Every sample at its pixel. Edges of different kinds that share pixels run beside each other, so that none
 /// loses pixels to the other.
 Image<std::uint8_t> draw_edges(const FrameTruth& frame) {
   Image<std::uint8_t> codes(frame.size, 0);
   std::vector<DisplacedPixel> displaced;
-  std::set<std::pair<int, int>> seen;  // displaced already, of the crease group or of depth
+  std::set<std::tuple<int, int, EdgeKind>> seen;  // displaced already
   for (const ScoredEdge& edge : frame.edges) {
     const std::uint8_t code = edge_code(edge.kind, edge.graspable);
     for (const ImagePoint s : edge.samples) {
@@ -49,7 +52,7 @@ Image<std::uint8_t> draw_edges(const FrameTruth& frame) {
       if (!codes.size().contains(p.x, p.y)) continue;
       if (codes(p.x, p.y) == 0) {
         codes(p.x, p.y) = code;
-      } else if (is_depth(codes(p.x, p.y)) != is_depth(code) && seen.insert({p.x, p.y}).second) {
+      } else if (kind_of(codes(p.x, p.y)) != edge.kind && seen.insert({p.x, p.y, edge.kind}).second) {
         displaced.push_back({p, &edge});
       }
     }
@@ -59,19 +62,40 @@ Image<std::uint8_t> draw_edges(const FrameTruth& frame) {
   return codes;
 }
 
-/// Contacts in the middle of two graspable edges of the surface; of a single closed one, a half turn apart.
+/// The two samples of one edge farthest apart between which it turns back; nothing for a straight one.
+std::optional<std::array<ImagePoint, 2>> opposing_samples(const ScoredEdge& edge, double tolerance_px) {
+  std::optional<std::array<ImagePoint, 2>> best;
+  double best_px = 0;
+  const std::size_t step = 1 + edge.samples.size() / 40;
+  for (std::size_t i = 0; i < edge.samples.size(); i += step) {
+    for (std::size_t j = i + step; j < edge.samples.size(); j += step) {
+      const ImagePoint p = edge.samples[i], q = edge.samples[j];
+      const double apart_px = std::hypot(p.x - q.x, p.y - q.y);
+      if (apart_px <= best_px || !turns_back(edge, p, q, tolerance_px)) continue;
+      best = {p, q};
+      best_px = apart_px;
+    }
+  }
+  return best;
+}
+
+/// Contacts in the middle of two graspable edges of the surface, or on a single one that bends round it.
 void add_grasp(const FrameTruth& frame, int index, Surface& surface) {
   std::vector<const ScoredEdge*> edges;
   for (const ScoredEdge& edge : frame.edges) {
     const bool bounds = std::find(edge.surfaces.begin(), edge.surfaces.end(), index) != edge.surfaces.end();
-    if (edge.counts && edge.graspable && bounds) edges.push_back(&edge);
+    if (edge.graspable && bounds) edges.push_back(&edge);
   }
-  if (edges.empty()) return;
   Grasp grasp;
   grasp.closing_axis = {1, 0, 0};
-  const ImagePath& first = edges.front()->samples;
-  const ImagePath& last = edges.back()->samples;
-  grasp.contacts_px = {edges.size() > 1 ? first[first.size() / 2] : first[0], last[last.size() / 2]};
+  if (edges.size() > 1) {
+    for (std::size_t k = 0; k < 2; ++k)
+      grasp.contacts_px[k] = edges[k]->samples[edges[k]->samples.size() / 2];
+  } else {
+    const auto samples = edges.empty() ? std::nullopt : opposing_samples(*edges[0], frame.tolerance_px());
+    if (!samples) return;
+    grasp.contacts_px = *samples;
+  }
   surface.grasps.push_back(grasp);
 }
 
