@@ -9,18 +9,9 @@
 #include <vector>
 
 #include "core/image.hpp"
+#include "cpu/clones.hpp"
 #include "cpu/scratch.hpp"
 #include "cpu/sparse_row.hpp"
-
-// A row loop is compiled for two instruction sets; the loader picks the better one that this processor has.
-// Without fused multiply-add (AVX2 does not imply it) both give the same results to the bit. Sanitizers start
-// too late for it.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define FACET_CPU_CLONES [[gnu::target_clones("avx2", "default")]]
-#else
-#define FACET_CPU_CLONES
-#endif
 
 namespace facet {
 
@@ -54,12 +45,19 @@ class CpuExecutor {
     });
   }
 
+  /// work(y) for every row; for tuned stages.
+  template <class Work>
+  void for_each_row(int rows, const Work& work) {
+    for_each_band(rows, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) work(y);
+    });
+  }
+
   /// Sum over all pixels of the integer op(x, y): exact, so the order does not matter.
   template <class Op>
   std::int64_t sum_pixels(Size size, const Op& op) {
     std::int64_t sum = 0;
-    for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x) sum += op(x, y);
+    for (int y = 0; y < size.height; ++y) sum += sum_row(op, size.width, y);
     return sum;
   }
 
@@ -107,6 +105,14 @@ class CpuExecutor {
 
  private:
   template <class Op>
+  FACET_CPU_CLONES static std::int64_t sum_row(const Op& shared_op, int width, int y) {
+    const Op op = shared_op;
+    std::int64_t sum = 0;
+    for (int x = 0; x < width; ++x) sum += op(x, y);
+    return sum;
+  }
+
+  template <class Op>
   FACET_CPU_CLONES static void run_row(const Op& shared_op, Size size, int y) {
     const Op op = shared_op;  // a local copy: its views cannot alias what it writes
     const int r = op.radius;
@@ -121,7 +127,14 @@ class CpuExecutor {
 
   template <class Op>
   static void run_set_row(const Op& op, ImageView<std::uint8_t> mask, int y) {
-    for_each_set_in_row(mask.row(y), mask.width, [&](int x) { op(x, y, GuardedAccess{}); });
+    const int r = op.radius;
+    const bool inside = y >= r && y < mask.height - r;
+    for_each_set_in_row(mask.row(y), mask.width, [&](int x) {
+      if (inside && x >= r && x < mask.width - r)
+        op(x, y, InteriorAccess{});
+      else
+        op(x, y, GuardedAccess{});
+    });
   }
 
   template <class Band>

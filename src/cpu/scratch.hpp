@@ -1,26 +1,21 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "core/image.hpp"
-#include "cpu/sparse_mask.hpp"
-#include "stage/fill_missing.hpp"
+#include "cpu/bit_mask.hpp"
+#include "cpu/fill_grid.hpp"
 
 namespace facet {
-
-/// The pass in which a shared value was computed last.
-struct PassStamp {
-  int mean = 0, offer = 0;
-};
 
 /// Memory of the tuned CPU stages, kept from frame to frame.
 struct CpuScratch {
   std::vector<int> list_a, list_b, list_c, row_starts, names;
-  SparseMask mask;
-  Image<float> values, means;
-  Image<FillOffer> offers;
-  Image<PassStamp> stamps;
+  std::array<BitMask, 4> bits;
+  std::vector<std::uint8_t> row, rows_due, rows_due_next;
+  FillGrid fill_grid;
+  std::vector<float> values;
   std::vector<std::int64_t> sums;
 };
 

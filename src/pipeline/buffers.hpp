@@ -13,7 +13,7 @@ struct Buffers {
   template <class T>
   using Image = typename Executor::template Image<T>;
 
-  Image<float> input, depth, averaged, scratch_a, scratch_b, scratch_c;
+  Image<float> depth, averaged, scratch_a, scratch_b, scratch_c;
   Image<float> gx, gy, strength;
   Image<std::uint8_t> filled, direction, ridge, depth_edge, crease_edge, edge, distance;
   Image<std::uint8_t> mask_a, mask_b, mask_c, code;
@@ -22,8 +22,7 @@ struct Buffers {
   Image<std::uint16_t> label, owner;
 
   void resize(Size size) {
-    for (Image<float>* i :
-         {&input, &depth, &averaged, &scratch_a, &scratch_b, &scratch_c, &gx, &gy, &strength})
+    for (Image<float>* i : {&depth, &averaged, &scratch_a, &scratch_b, &scratch_c, &gx, &gy, &strength})
       i->resize(size);
     for (Image<std::uint8_t>* i : {&filled, &direction, &ridge, &depth_edge, &crease_edge, &edge, &distance,
                                    &mask_a, &mask_b, &mask_c, &code})

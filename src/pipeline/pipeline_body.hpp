@@ -34,7 +34,7 @@ class PipelineBody {
     b_.resize(frame.depth_m.size());
     restart(result, frame.depth_m.size());
     executor_.timed(result.times.total_ms, [&] {
-      executor_.upload(frame.depth_m, b_.input.view());
+      take_in(frame.depth_m);
       timed(result, StageId::temporal, [&] { average_frames(); });
       timed(result, StageId::fill, [&] { fill_holes(); });
       timed(result, StageId::wiener, [&] { filter_noise(); });
@@ -68,9 +68,15 @@ class PipelineBody {
     result.times = {};
   }
 
+  void take_in(ImageView<const float> depth_m) {
+    if (params_.temporal.enabled)
+      history_.push(executor_, depth_m, params_.temporal.frames);
+    else
+      executor_.upload(depth_m, b_.averaged.view());
+  }
+
   void average_frames() {  // section 3.4.2, eq. 3
-    if (!params_.temporal.enabled) return std::swap(b_.input, b_.averaged);
-    history_.push(executor_, b_.input.view(), params_.temporal.frames);
+    if (!params_.temporal.enabled) return;
     temporal_average(executor_, params_.temporal, noise_, history_, b_.averaged.view());
   }
 
@@ -196,8 +202,9 @@ class PipelineBody {
     if (by_edge_map) trace_edge_map(executor_.on_host(b_.edge), result.labels.view(), result.surfaces);
     executor_.download(b_.label.view(), result.labels.view());
     executor_.download(b_.code.view(), result.edges.view());
-    pixels_.collect(result.labels.view(), static_cast<int>(result.surfaces.size()), executor_.on_host(b_.depth),
-                    executor_.on_host(b_.filled), camera_, params_.pose.max_points);
+    pixels_.collect(result.labels.view(), static_cast<int>(result.surfaces.size()),
+                    executor_.on_host(b_.depth), executor_.on_host(b_.filled), camera_,
+                    params_.pose.max_points);
     if (!by_edge_map) trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
   }
 

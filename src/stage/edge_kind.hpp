@@ -29,27 +29,31 @@ struct SecondDifference {
   ImageView<const float> depth_m;
   ImageView<const std::uint8_t> depth_edge;
 
-  FACET_HD float operator()(int x, int y) const {
+  template <class Access>
+  FACET_HD float operator()(int x, int y, Access access) const {
     float dominant = 0;
     for (int i = 0; i < 4; ++i) {
-      const float s = along(x, y, direction4(i));
+      const float s = along(x, y, direction4(i), access);
       if (s * s > dominant * dominant) dominant = s;
     }
     return dominant;
   }
 
  private:
-  FACET_HD float along(int x, int y, Offset d) const {
+  template <class Access>
+  FACET_HD float along(int x, int y, Offset d, Access access) const {
     float sum = 0;
     for (int k = 1; k <= reach; ++k) {
       const int x0 = x - k * d.dx, y0 = y - k * d.dy, x1 = x + k * d.dx, y1 = y + k * d.dy;
-      if (!usable(x0, y0) || !usable(x1, y1)) break;
-      sum += 1 / depth_m(x0, y0) - 2 / depth_m(x, y) + 1 / depth_m(x1, y1);
+      const float z0 = usable_depth(x0, y0, access), z1 = usable_depth(x1, y1, access);
+      if (z0 == 0 || z1 == 0) break;
+      sum += 1 / z0 - 2 / depth_m(x, y) + 1 / z1;
     }
     return sum;
   }
-  FACET_HD bool usable(int x, int y) const {
-    return depth_m.size().contains(x, y) && depth_m(x, y) > 0 && !depth_edge(x, y);
+  template <class Access>
+  FACET_HD float usable_depth(int x, int y, Access access) const {
+    return access.or_zero(depth_edge, x, y) ? 0.0f : access.or_zero(depth_m, x, y);
   }
 };
 
@@ -60,8 +64,8 @@ struct DominantHessianEigenvalue {
   ImageView<const float> depth_m, gx, gy;
   float focal_px;
 
-  FACET_HD float operator()(int x, int y) const {
-    const GuardedAccess access;
+  template <class Access>
+  FACET_HD float operator()(int x, int y, Access access) const {
     const float pixel_m = depth_m(x, y) / focal_px;
     const float scale = 0.5f / (pixel_m * pixel_m);
     const float xx = scale * (access.clamped(gx, x + 1, y) - access.clamped(gx, x - 1, y));
@@ -77,7 +81,7 @@ struct DominantHessianEigenvalue {
 /// creases, the convexity decides, and what it leaves undecided counts as concave, for which no grasp is
 /// claimed. Graspable are depth edges (they stand on the occluding side) and convex creases.
 struct EdgeKindOp {
-  static constexpr int radius = 0;
+  static constexpr int radius = SecondDifference::reach;
   ImageView<const std::uint8_t> depth_edge;
   Convexity convexity;
   SecondDifference second_difference;
@@ -86,25 +90,26 @@ struct EdgeKindOp {
   ImageView<std::uint8_t> code;
 
   template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
-    const EdgeKind kind = beside_depth_edge(x, y) ? EdgeKind::depth
-                          : is_convex(x, y)       ? EdgeKind::convex
-                                                  : EdgeKind::concave;
+  FACET_HD void operator()(int x, int y, Access access) const {
+    const EdgeKind kind = beside_depth_edge(x, y, access) ? EdgeKind::depth
+                          : is_convex(x, y, access)       ? EdgeKind::convex
+                                                          : EdgeKind::concave;
     code(x, y) = edge_code(kind, kind != EdgeKind::concave);
   }
 
  private:
-  FACET_HD bool beside_depth_edge(int x, int y) const {
-    const GuardedAccess access;
+  template <class Access>
+  FACET_HD bool beside_depth_edge(int x, int y, Access access) const {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
         if (access.or_zero(depth_edge, x + dx, y + dy)) return true;
     return false;
   }
-  FACET_HD bool is_convex(int x, int y) const {
+  template <class Access>
+  FACET_HD bool is_convex(int x, int y, Access access) const {
     if (!(second_difference.depth_m(x, y) > 0)) return false;
-    return convexity == Convexity::signed_test ? second_difference(x, y) < 0
-                                               : hessian(x, y) < -dead_band_per_m;
+    return convexity == Convexity::signed_test ? second_difference(x, y, access) < 0
+                                               : hessian(x, y, access) < -dead_band_per_m;
   }
 };
 

@@ -89,8 +89,9 @@ struct FillOffer {
 
   FACET_HD void take_better(const FillOffer& other) {
     const bool better =
-        other.distance_m < distance_m || (other.distance_m == distance_m && other.mean_m > mean_m);
-    if (better) *this = other;
+        (other.distance_m < distance_m) | ((other.distance_m == distance_m) & (other.mean_m > mean_m));
+    mean_m = better ? other.mean_m : mean_m;
+    distance_m = better ? other.distance_m : distance_m;
   }
 };
 
@@ -103,14 +104,18 @@ struct FillCandidate {
   FACET_HD float source(int x, int y) const {
     return depth_m.size().contains(x, y) && !rim(x, y) ? depth_m(x, y) : 0.0f;
   }
+  /// Column by column, so that the columns can be summed side by side.
   FACET_HD float window_mean(int x, int y) const {
     float sum = 0, n = 0;
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      float column = 0;
+      for (int dy = -1; dy <= 1; ++dy) {
         const float z = source(x + dx, y + dy);
-        sum += z;
+        column += z;
         n += z > 0 ? 1.0f : 0.0f;
       }
+      sum += column;
+    }
     return sum / n;
   }
   /// The best window of the source (x, y), whose depth is b_m.

@@ -20,14 +20,18 @@ struct NonMaxSuppressionOp {
   template <class Access>
   FACET_HD void operator()(int x, int y, Access access) const {
     const float s = strength(x, y);
-    Ridge kept = Ridge::none;
-    if (s > low) {
-      const Offset d = direction4(direction(x, y));
-      const bool is_max = s > access.or_zero(strength, x - d.dx, y - d.dy) &&
-                          s >= access.or_zero(strength, x + d.dx, y + d.dy);
-      if (is_max) kept = s > high ? Ridge::strong : Ridge::weak;
+    const int across = direction(x, y);
+    float before = 0, after = 0;  // the four pairs are all read and one is kept: no branches
+    FACET_UNROLL for (int i = 0; i < 4; ++i) {
+      const Offset d = direction4(i);
+      const float b = access.or_zero(strength, x - d.dx, y - d.dy);
+      const float a = access.or_zero(strength, x + d.dx, y + d.dy);
+      before = across == i ? b : before;
+      after = across == i ? a : after;
     }
-    ridge(x, y) = static_cast<std::uint8_t>(kept);
+    const bool is_max = (s > low) & (s > before) & (s >= after);
+    const int kept = s > high ? static_cast<int>(Ridge::strong) : static_cast<int>(Ridge::weak);
+    ridge(x, y) = static_cast<std::uint8_t>(is_max ? kept : 0);
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include "core/atomic.hpp"
 #include "core/depth_noise.hpp"
+#include "core/float_bits.hpp"
 #include "core/image_view.hpp"
 #include "core/neighbours.hpp"
 
@@ -24,9 +25,9 @@ struct UnownedOp {
 
 /// Which region an unowned pixel belongs to: that of the neighbour nearest in depth, if the step to it is no
 /// larger than a depth edge. At a depth edge, which stands on the occluding side, that is the nearer surface.
-/// Ties go to the nearer neighbour, then to the lower label.
+/// Ties go to the nearer neighbour, then to the first clockwise from the north.
 struct ChooseOwnerOp {
-  static constexpr int radius = 0;
+  static constexpr int radius = 1;
   ImageView<const float> depth_m;
   ImageView<const std::uint16_t> label;
   float jump_ratio;
@@ -35,23 +36,28 @@ struct ChooseOwnerOp {
   ImageView<std::uint16_t> choice;
 
   template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
+  FACET_HD void operator()(int x, int y, Access access) const {
     const float z = depth_m(x, y);
     const float by_noise = noise_sigmas * noise.sigma_m(z), by_ratio = jump_ratio * z;
-    float best_step = by_noise > by_ratio ? by_noise : by_ratio;
-    float best_depth = 1e30f;
-    std::uint16_t best = 0;
-    for (int i = 0; i < 8; ++i) {
+    std::uint64_t best_rank = rank(by_noise > by_ratio ? by_noise : by_ratio, 1e30f);
+    int best = 0;
+    FACET_UNROLL for (int i = 0; i < 8; ++i) {
       const int nx = x + neighbour8(i).dx, ny = y + neighbour8(i).dy;
-      if (!label.size().contains(nx, ny) || label(nx, ny) == 0) continue;
-      const float zn = depth_m(nx, ny);
+      const int owner = access.or_zero(label, nx, ny);
+      const float zn = access.or_zero(depth_m, nx, ny);
       const float step = zn > z ? zn - z : z - zn;
-      const bool better =
-          step < best_step ||
-          (step == best_step && (zn < best_depth || (zn == best_depth && label(nx, ny) < best)));
-      if (better) best_step = step, best_depth = zn, best = label(nx, ny);
+      const std::uint64_t r = owner == 0 ? ~std::uint64_t{0} : rank(step, zn);
+      best = r < best_rank ? owner : best;
+      best_rank = r < best_rank ? r : best_rank;
     }
-    choice(x, y) = best;
+    choice(x, y) = static_cast<std::uint16_t>(best);
+  }
+
+ private:
+  /// Orders by step, then by depth, without branches: the bits of floats that are not negative are ordered as
+  /// they are.
+  FACET_HD static std::uint64_t rank(float step_m, float depth_m) {
+    return std::uint64_t{float_bits(step_m)} << 32 | float_bits(depth_m);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/image_view.hpp"
+#include "core/neighbour_rule.hpp"
 #include "core/neighbour_table.hpp"
 #include "stage/mask_by_table.hpp"
 
@@ -20,27 +21,36 @@ struct PruningParams {
 };
 
 /// End points of a thin line: no neighbour, one neighbour, or two that touch each other on a side.
-constexpr bool is_end_point(unsigned code) {
-  int count = 0;
-  bool adjacent = false;
-  for (unsigned i = 0; i < 8; ++i) {
-    if (!(code >> i & 1u)) continue;
-    ++count;
-    adjacent |= (code >> ((i + 1) % 8) & 1u) != 0;
+template <class Word>
+FACET_HD constexpr Word is_end_point(const Neighbours<Word>& neighbours) {
+  const auto& p = neighbours.p;
+  Word one = p[0], two = 0, three = 0, adjacent = p[7] & p[0];  // at least one set, two, three
+  for (int i = 1; i < 8; ++i) {
+    three |= two & p[i];
+    two |= one & p[i];
+    one |= p[i];
+    adjacent |= p[i - 1] & p[i];
   }
-  return count <= 1 || (count == 2 && adjacent);
+  return ~two | (~three & adjacent);
 }
-inline constexpr NeighbourTable end_point_table = make_neighbour_table(is_end_point);
 
-/// Whether a line has an open end at (x, y), given the code of its neighbours: an end point that may go
-/// without joining two regions. The image border and missing depth bound regions as an edge does, so a line
-/// that meets them has no open end there, while one that runs along them has.
+/// Whether a line has an open end at a pixel: an end point that may go without joining two regions or making
+/// one. `walls`: its neighbours that bound regions, the line's own among them.
+template <class Word>
+FACET_HD constexpr Word is_open_end(const Neighbours<Word>& line, const Neighbours<Word>& walls) {
+  const auto& p = walls.p;
+  const Word no_wall = ~(p[0] | p[1] | p[2] | p[3] | p[4] | p[5] | p[6] | p[7]);
+  return is_end_point(line) & (one_crossing(p) | no_wall);
+}
+
+/// Open ends of the lines of a mask. The image border and missing depth bound regions as an edge does, so a
+/// line that meets them has no open end there, while one that runs along them has.
 struct OpenEnd {
-  NeighbourTable end_points;
   ImageView<const float> depth_m;
 
   FACET_HD bool operator()(int x, int y, unsigned code) const {
-    return end_points[code] && joins_one_region(code | barriers(x, y));
+    const unsigned walls = code | barriers(x, y);
+    return (is_open_end(neighbours_of(code), neighbours_of(walls)) & 1u) != 0;
   }
 
  private:
@@ -51,16 +61,6 @@ struct OpenEnd {
       if (!depth_m.size().contains(nx, ny) || !(depth_m(nx, ny) > 0)) code |= 1u << i;
     }
     return code;
-  }
-  /// Whether a pixel between these walls, when it goes, joins one run of open pixels: no regions merge, none
-  /// arises.
-  FACET_HD static bool joins_one_region(unsigned walls) {
-    int runs = 0;
-    for (unsigned side = 0; side < 8; side += 2) {
-      const unsigned ahead = walls >> (side + 1) | walls >> (side + 2) % 8;
-      runs += !(walls >> side & 1u) && (ahead & 1u);
-    }
-    return runs == 1 || walls == 0;
   }
 };
 
@@ -131,7 +131,7 @@ template <class Executor>
 void prune(Executor& executor, const PruningParams& params, ImageView<const float> depth_m,
            ImageView<std::uint8_t> edge, const PruningScratch& scratch) {
   if (params.mode == PruningMode::none) return;
-  const OpenEnd open_end{end_point_table, depth_m};
+  const OpenEnd open_end{depth_m};
   executor.fill(scratch.mark, std::uint8_t{0});
   if (params.mode == PruningMode::stability) {
     remove_open_ends(executor, edge.width * edge.height, open_end, edge, scratch.mark);

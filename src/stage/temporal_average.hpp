@@ -66,7 +66,7 @@ struct TemporalAverageOp {
 template <class Executor>
 class TemporalHistory {
  public:
-  /// Adds a frame; with `window` frames kept it replaces the oldest. A frame of another size starts over.
+  /// Adds a frame from host memory; with `window` frames kept it replaces the oldest. A frame of another size starts over.
   void push(Executor& executor, ImageView<const float> depth_m, int window) {
     if (count_ > 0 && frames_[0].size() != depth_m.size()) clear();
     int slot = oldest_;
@@ -77,7 +77,7 @@ class TemporalHistory {
     } else {
       oldest_ = (oldest_ + 1) % window;
     }
-    executor.copy(depth_m, frames_[slot].view());
+    executor.upload(depth_m, frames_[slot].view());
   }
   void clear() { count_ = oldest_ = 0; }
   int count() const { return count_; }

@@ -64,20 +64,21 @@ struct WienerStatisticsOp {
   }
 };
 
-/// Variances as integers, so that their sum is exact in any order: unit 1e-10 m^2, i.e. (10 um)^2, at most 1
+/// Variances as integers, so that their sum is exact in any order: unit 1e-9 m^2, i.e. (32 um)^2, at most 1
 /// m^2.
 struct WienerVarianceSum {
-  static constexpr float units_per_m2 = 1e10f;
+  static constexpr float units_per_m2 = 1e9f;
   ImageView<const float> variance_m2;
 
-  FACET_HD std::int64_t operator()(int x, int y) const {
+  FACET_HD std::int32_t operator()(int x, int y) const {
     const float v = variance_m2(x, y);
-    return v < 0 ? 0 : static_cast<std::int64_t>((v < 1 ? v : 1.0f) * units_per_m2);
+    const float known = v > 0 ? v : 0.0f;
+    return static_cast<std::int32_t>((known < 1 ? known : 1.0f) * units_per_m2 + 0.5f);
   }
 };
 struct WienerVarianceCount {
   ImageView<const float> variance_m2;
-  FACET_HD std::int64_t operator()(int x, int y) const { return variance_m2(x, y) >= 0 ? 1 : 0; }
+  FACET_HD std::int32_t operator()(int x, int y) const { return variance_m2(x, y) >= 0 ? 1 : 0; }
 };
 
 /// Pulls each depth towards its local mean by how much of the local variance is noise.

@@ -62,24 +62,42 @@ std::optional<Plane> best_hypothesis(const PointSample& points, const PoseParams
   return best;
 }
 
+/// Sums over the points near a plane, of their coordinates about `origin` and of the products of these. Four
+/// of each side by side, so that the order of additions does not depend on the width of the registers.
+struct Moments {
+  double n = 0, x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+};
+Moments moments_near(const PointSample& points, const Plane& plane, float threshold_m, Vec3 origin) {
+  constexpr std::size_t lanes = 4;
+  double sums[10][lanes] = {};
+  const auto add = [&](std::size_t i, std::size_t lane) {
+    const Vec3 p = points.at(i);
+    const double w = std::fabs(plane.signed_distance_m(p)) < threshold_m ? 1 : 0;
+    const double x = w * double{p.x - origin.x}, y = w * double{p.y - origin.y},
+                 z = w * double{p.z - origin.z};
+    const double terms[10] = {w, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z};
+    for (std::size_t k = 0; k < 10; ++k) sums[k][lane] += terms[k];
+  };
+  std::size_t i = 0;
+  for (; i + lanes <= points.size(); i += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane) add(i + lane, lane);
+  for (; i < points.size(); ++i) add(i, 0);
+  double total[10];
+  for (std::size_t k = 0; k < 10; ++k) total[k] = (sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3]);
+  return {total[0], total[1], total[2], total[3], total[4], total[5], total[6], total[7], total[8], total[9]};
+}
+
 /// Least-squares plane through the points within the threshold of `plane` (smallest principal axis).
 PlaneFit refine(const PointSample& points, const Plane& plane, float threshold_m) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  int count = 0;
-  const Eigen::Vector3d origin(points.x[0], points.y[0], points.z[0]);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::fabs(plane.signed_distance_m(points.at(i))) >= threshold_m) continue;
-    const Eigen::Vector3d p = Eigen::Vector3d(points.x[i], points.y[i], points.z[i]) - origin;
-    sum += p;
-    squares += p * p.transpose();
-    ++count;
-  }
-  if (count < 3) return {};
-  const Eigen::Vector3d mean = sum / count;
-  const Eigen::Matrix3d covariance = squares / count - mean * mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
-  const Eigen::Vector3d centre = mean + origin;
+  const Moments m = moments_near(points, plane, threshold_m, points.at(0));
+  if (m.n < 3) return {};
+  const Eigen::Vector3d mean = Eigen::Vector3d(m.x, m.y, m.z) / m.n;
+  Eigen::Matrix3d squares;
+  squares << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
+  const Eigen::Matrix3d covariance = squares / m.n - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(covariance);
+  const Eigen::Vector3d centre = mean + Eigen::Vector3d(points.x[0], points.y[0], points.z[0]);
   Eigen::Vector3d normal = axes.eigenvectors().col(0);
   if (normal.dot(centre) > 0) normal = -normal;  // towards the camera
 
@@ -87,7 +105,7 @@ PlaneFit refine(const PointSample& points, const Plane& plane, float threshold_m
   fit.plane =
       Plane{{static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())},
             static_cast<float>(-normal.dot(centre))};
-  fit.inlier_share = static_cast<float>(count) / static_cast<float>(points.size());
+  fit.inlier_share = static_cast<float>(m.n) / static_cast<float>(points.size());
   fit.rms_m = static_cast<float>(std::sqrt(std::max(0.0, axes.eigenvalues()(0))));
   fit.centroid_m = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
                     static_cast<float>(centre.z())};

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -54,10 +55,15 @@ std::optional<Vec3> contour_centre(const PoseInput& input, const Polyline& outer
   return input.camera.back_project(cx, cy, depth_m);
 }
 
-float median_depth(const PointSample& points) {
-  std::vector<float> z = points.z;
-  const auto middle = z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2);
-  std::nth_element(z.begin(), middle, z.end());
+/// Median of the depths of up to 128 of the points: it only has to tell the noise.
+float typical_depth(const PointSample& points) {
+  constexpr std::size_t most = 128;
+  std::array<float, most> z;
+  const std::size_t stride = (points.size() + most - 1) / most;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < points.size(); i += stride) z[n++] = points.z[i];
+  const auto middle = z.begin() + static_cast<std::ptrdiff_t>(n / 2);
+  std::nth_element(z.begin(), middle, z.begin() + static_cast<std::ptrdiff_t>(n));
   return *middle;
 }
 
@@ -100,7 +106,7 @@ Vec3 rectangle_axis(const Polyline& outer, const Plane& plane, const Camera& cam
 
 void estimate_pose(const PoseInput& input, const PoseParams& params, const PointSample& points,
                    Surface& surface) {
-  const float sigma_m = points.size() > 0 ? input.noise.sigma_m(median_depth(points)) : 0;
+  const float sigma_m = points.size() > 0 ? input.noise.sigma_m(typical_depth(points)) : 0;
   const float threshold_m = std::max(params.inlier_sigmas * sigma_m, params.min_inlier_mm / 1000);
   const PlaneFit fit =
       fit_plane(points, params, threshold_m, input.seed, static_cast<std::uint64_t>(surface.id));

@@ -31,8 +31,9 @@ struct PointSample {
   std::vector<float> x, y, z;
 
   std::size_t size() const { return x.size(); }
-  void clear() { x.clear(), y.clear(), z.clear(); }
   void add(Vec3 p) { x.push_back(p.x), y.push_back(p.y), z.push_back(p.z); }
+  void resize(std::size_t n) { x.resize(n), y.resize(n), z.resize(n); }
+  void set(std::size_t i, Vec3 p) { x[i] = p.x, y[i] = p.y, z[i] = p.z; }
   Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 

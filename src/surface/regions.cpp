@@ -3,26 +3,46 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/run.hpp"
+
 namespace facet {
+namespace {
+
+/// visit(value, y, begin, end) for every run of equal pixels in a row, in raster order.
+template <class T, class Visit>
+void for_each_run(ImageView<const T> image, const Visit& visit) {
+  for (int y = 0; y < image.height; ++y) {
+    const T* row = image.row(y);
+    for (int x = 0; x < image.width;) {
+      const int begin = x;
+      x = end_of_run(row, begin + 1, image.width, row[begin]);
+      visit(row[begin], y, begin, x);
+    }
+  }
+}
+
+int count_set(const std::uint8_t* begin, const std::uint8_t* end) {
+  return static_cast<int>(std::count_if(begin, end, [](std::uint8_t value) { return value != 0; }));
+}
+
+}  // namespace
 
 void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
                               ImageView<const std::uint8_t> filled) {
   components_.clear();
   component_at_.assign(static_cast<std::size_t>(root.size().area()), -1);
-  for (int y = 0; y < root.height; ++y)
-    for (int x = 0; x < root.width; ++x) {
-      const std::int32_t first = root(x, y);
-      if (first < 0) continue;
-      std::int32_t& index = component_at_[static_cast<std::size_t>(first)];
-      if (index < 0) {
-        index = static_cast<std::int32_t>(components_.size());
-        components_.push_back({first, 0, 0, 0});
-      }
-      Component& component = components_[static_cast<std::size_t>(index)];
-      ++component.area_px;
-      component.filled_px += filled(x, y);
-      component.depth_sum_m += depth_m(x, y);
+  for_each_run(root, [&](std::int32_t first, int y, int begin, int end) {
+    if (first < 0) return;
+    std::int32_t& index = component_at_[static_cast<std::size_t>(first)];
+    if (index < 0) {
+      index = static_cast<std::int32_t>(components_.size());
+      components_.push_back({first, 0, 0, 0});
     }
+    Component& component = components_[static_cast<std::size_t>(index)];
+    component.area_px += end - begin;
+    component.filled_px += count_set(filled.row(y) + begin, filled.row(y) + end);
+    component.depth_sum_m += (end - begin) * 0.5 * (double{depth_m(begin, y)} + depth_m(end - 1, y));
+  });
 }
 
 std::string_view RegionNumbering::reason_to_drop(const Component& c, const Camera& camera,
@@ -52,13 +72,12 @@ int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const 
     else
       rejected.push_back({{c.first % root.width, c.first / root.width}, c.area_px, std::string(reason)});
   }
-  for (int y = 0; y < root.height; ++y)
-    for (int x = 0; x < root.width; ++x) {
-      const std::int32_t first = root(x, y);
-      labels(x, y) = first < 0
-                         ? std::uint16_t{0}
-                         : label_[static_cast<std::size_t>(component_at_[static_cast<std::size_t>(first)])];
-    }
+  for_each_run(root, [&](std::int32_t first, int y, int begin, int end) {
+    const std::uint16_t label =
+        first < 0 ? std::uint16_t{0}
+                  : label_[static_cast<std::size_t>(component_at_[static_cast<std::size_t>(first)])];
+    std::fill(labels.row(y) + begin, labels.row(y) + end, label);
+  });
   return count;
 }
 
@@ -69,31 +88,50 @@ void RegionPixels::collect(ImageView<const std::uint16_t> labels, int label_coun
   boxes.assign(n, {});
   area_px.assign(n, 0);
   measured_px.assign(n, 0);
-  if (points.size() < n) points.resize(n);
-  for (PointSample& sample : points) sample.clear();
-  for (int y = 0; y < labels.height; ++y)
-    for (int x = 0; x < labels.width;) {
-      const std::uint16_t label = labels(x, y);
-      const int begin = x;
-      int measured = 0;
-      for (; x < labels.width && labels(x, y) == label; ++x) measured += !filled(x, y);
-      if (label == 0) continue;
-      const std::size_t i = label - std::size_t{1};
-      boxes[i].add(begin, y);
-      boxes[i].add(x - 1, y);
-      area_px[i] += x - begin;
-      measured_px[i] += measured;
-    }
+  runs_.clear();
+  for_each_run(labels, [&](std::uint16_t label, int y, int begin, int end) {
+    if (label == 0) return;
+    const std::size_t i = label - std::size_t{1};
+    const int made_up = count_set(filled.row(y) + begin, filled.row(y) + end);
+    runs_.push_back({i, y, begin, end, made_up == 0});
+    boxes[i].add(begin, y);
+    boxes[i].add(end - 1, y);
+    area_px[i] += end - begin;
+    measured_px[i] += end - begin - made_up;
+  });
+  sample_points(depth_m, filled, camera, max_points);
+}
+
+void RegionPixels::sample_points(ImageView<const float> depth_m, ImageView<const std::uint8_t> filled,
+                                 const Camera& camera, int max_points) {
+  if (points.size() < area_px.size()) points.resize(area_px.size());
   // Every stride-th measured pixel in raster order; an odd stride does not fall into step with the columns.
-  seen_.assign(n, 0);
-  for (int y = 0; y < labels.height; ++y)
-    for (int x = 0; x < labels.width; ++x) {
-      if (labels(x, y) == 0 || filled(x, y)) continue;
-      const std::size_t i = labels(x, y) - std::size_t{1};
-      const int stride = (measured_px[i] + max_points - 1) / max_points | 1;
-      if (seen_[i]++ % stride != 0) continue;
-      points[i].add(camera.back_project(static_cast<float>(x), static_cast<float>(y), depth_m(x, y)));
+  stride_.resize(area_px.size());
+  for (std::size_t i = 0; i < area_px.size(); ++i)
+    stride_[i] = (measured_px[i] + max_points - 1) / max_points | 1;
+  for (std::size_t i = 0; i < area_px.size(); ++i)
+    points[i].resize(static_cast<std::size_t>((measured_px[i] + stride_[i] - 1) / stride_[i]));
+  taken_.assign(area_px.size(), 0);
+  wait_.assign(area_px.size(), 0);  // measured pixels until the next sample
+  for (const Run& run : runs_) {
+    const auto take = [&, this](int x) {
+      points[run.region].set(
+          taken_[run.region]++,
+          camera.back_project(static_cast<float>(x), static_cast<float>(run.y), depth_m(x, run.y)));
+    };
+    int& wait = wait_[run.region];
+    if (run.is_measured) {
+      int x = run.begin + wait;
+      for (; x < run.end; x += stride_[run.region]) take(x);
+      wait = x - run.end;
+      continue;
     }
+    for (int x = run.begin; x < run.end; ++x) {
+      if (filled(x, run.y)) continue;
+      if (wait == 0) take(x), wait = stride_[run.region];
+      --wait;
+    }
+  }
 }
 
 }  // namespace facet

@@ -27,7 +27,7 @@ class RegionNumbering {
     int first = 0;  ///< raster index
     int area_px = 0;
     int filled_px = 0;
-    double depth_sum_m = 0;
+    double depth_sum_m = 0;  ///< each run of a row by the trapezoid over its ends
   };
   void collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
                ImageView<const std::uint8_t> filled);
@@ -53,7 +53,17 @@ class RegionPixels {
                ImageView<const std::uint8_t> filled, const Camera& camera, int max_points);
 
  private:
-  std::vector<int> seen_;
+  struct Run {
+    std::size_t region = 0;
+    int y = 0, begin = 0, end = 0;
+    bool is_measured = false;  ///< no pixel was filled
+  };
+  void sample_points(ImageView<const float> depth_m, ImageView<const std::uint8_t> filled,
+                     const Camera& camera, int max_points);
+
+  std::vector<Run> runs_;
+  std::vector<int> stride_, wait_;  ///< of the samples, by region
+  std::vector<std::size_t> taken_;
 };
 
 }  // namespace facet

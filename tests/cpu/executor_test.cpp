@@ -58,6 +58,7 @@ TEST(CpuExecutor, VisitsExactlyTheSetPixelsOfAMask) {
 }
 
 struct ClearOwnPixelOp {
+  static constexpr int radius = 0;
   ImageView<std::uint8_t> mask;
   template <class Access>
   void operator()(int x, int y, Access) const {

@@ -45,6 +45,19 @@ const std::vector<std::string> dumb_bell{"......................",  //
                                          ".#####.......######...",  //
                                          "......................"};
 
+TEST(Pruning, EndPointsHaveNoNeighbourOneOrTwoThatTouch) {
+  for (unsigned code = 0; code < 256; ++code) {
+    int count = 0;
+    bool touch = false;
+    for (unsigned i = 0; i < 8; ++i) {
+      count += static_cast<int>(code >> i & 1u);
+      touch |= (code >> i & 1u) && (code >> (i + 1) % 8 & 1u);
+    }
+    const bool expected = count <= 1 || (count == 2 && touch);
+    EXPECT_EQ((is_end_point(neighbours_of(code)) & 1u) != 0, expected) << code;
+  }
+}
+
 TEST(Pruning, VanishesSpursOfUpToNPixelsAndKeepsTheLine) {
   for (const int spur_px : {1, 5, 9}) {
     const Mask kept = pruned(gonzalez(10), line_with_spur(spur_px));

@@ -1,5 +1,6 @@
 #include "stage/thinning.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "support/every_executor.hpp"
@@ -18,6 +19,26 @@ Mask thinned(Executor& executor, const Mask& mask) {
 Mask thinned(const Mask& mask) {
   CpuExecutor executor;
   return thinned(executor, mask);
+}
+
+/// The rule as Guo and Hall give it, by counts.
+bool deletes_by_counts(unsigned code, int half) {
+  const auto p = [code](unsigned i) { return (code >> i % 8 & 1u) != 0; };
+  int crossings = 0, n1 = 0, n2 = 0;
+  for (unsigned side = 0; side < 8; side += 2) {
+    crossings += !p(side) && (p(side + 1) || p(side + 2));
+    n1 += p(side + 7) || p(side);
+    n2 += p(side) || p(side + 1);
+  }
+  const int n = std::min(n1, n2);
+  const bool blocked = half == 0 ? (p(0) || p(1) || !p(3)) && p(2) : (p(4) || p(5) || !p(7)) && p(6);
+  return crossings == 1 && n >= 2 && n <= 3 && !blocked;
+}
+
+TEST(Thinning, DeletesWhatGuoAndHallsCountsDelete) {
+  for (unsigned code = 0; code < 256; ++code)
+    for (const int half : {0, 1})
+      EXPECT_EQ(guo_hall_deletes(code, half), deletes_by_counts(code, half)) << code << ", " << half;
 }
 
 TEST(Thinning, KeepsEveryLineEveryHoleAndEveryRegion) {

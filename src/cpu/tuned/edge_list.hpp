@@ -32,9 +32,10 @@ inline void list_set_pixels(ImageView<const std::uint8_t> mask, std::vector<int>
 template <class Visit>
 void for_each_set_neighbour(ImageView<const std::uint8_t> mask, int pixel, const Visit& visit) {
   const int x = x_of(pixel), y = y_of(pixel);
-  for (int k = 0; k < 8; ++k) {
+  const bool inside = x > 0 && y > 0 && x < mask.width - 1 && y < mask.height - 1;
+  FACET_UNROLL for (int k = 0; k < 8; ++k) {
     const int nx = x + neighbour8(k).dx, ny = y + neighbour8(k).dy;
-    if (mask.size().contains(nx, ny) && mask(nx, ny)) visit(nx, ny);
+    if ((inside || mask.size().contains(nx, ny)) && mask(nx, ny)) visit(nx, ny);
   }
 }
 

@@ -4,7 +4,7 @@
 
 namespace facet {
 
-/// Same result as the generic hysteresis, in one flood from the strong ridges instead of repeated passes.
+/// Same result as the generic hysteresis, 64 pixels at a time, in sweeps down and up the image.
 void hysteresis(CpuExecutor& executor, ImageView<std::uint8_t> ridge, ImageView<std::uint8_t> edge);
 
 }  // namespace facet

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/run.hpp"
+#include "cpu/clones.hpp"
+
 namespace facet {
 namespace {
 
@@ -35,13 +38,16 @@ class RunForest {
   std::vector<int>&begin_, &end_, &parent_;
 };
 
-void add_runs(const float* depth_m, const std::uint8_t* edge, int width, RunForest& runs) {
-  int x = 0;
-  while (x < width) {
-    while (x < width && !(depth_m[x] > 0 && !edge[x])) ++x;
-    const int begin = x;
-    while (x < width && depth_m[x] > 0 && !edge[x]) ++x;
-    if (x > begin) runs.add(begin, x);
+FACET_CPU_CLONES void mark_regions(const float* depth_m, const std::uint8_t* edge, int width,
+                                   std::uint8_t* region) {
+  for (int x = 0; x < width; ++x) region[x] = (depth_m[x] > 0) & (edge[x] == 0);
+}
+
+void add_runs(const std::uint8_t* region, int width, RunForest& runs) {
+  for (int x = end_of_run<std::uint8_t>(region, 0, width, 0); x < width;) {
+    const int end = end_of_run<std::uint8_t>(region, x, width, 1);
+    runs.add(x, end);
+    x = end_of_run<std::uint8_t>(region, end, width, 0);
   }
 }
 
@@ -63,8 +69,11 @@ void label_components(CpuExecutor& executor, ImageView<const float> depth_m,
   RunForest runs(scratch.list_a, scratch.list_b, scratch.list_c);
   std::vector<int>& row_starts = scratch.row_starts;
   row_starts.assign(1, 0);
+  std::vector<std::uint8_t>& region = scratch.row;
+  region.resize(static_cast<std::size_t>(root.width));
   for (int y = 0; y < root.height; ++y) {
-    add_runs(depth_m.row(y), edge.row(y), root.width, runs);
+    mark_regions(depth_m.row(y), edge.row(y), root.width, region.data());
+    add_runs(region.data(), root.width, runs);
     if (y > 0) join_rows(runs, row_starts[static_cast<std::size_t>(y) - 1], row_starts.back());
     row_starts.push_back(runs.count());
   }

@@ -1,36 +1,46 @@
 #include "cpu/tuned/thinning.hpp"
 
+#include "cpu/clones.hpp"
 #include "stage/thinning.hpp"
 
 namespace facet {
+namespace {
+
+/// One sub-iteration on a row; returns the pixels deleted, of all words together.
+template <int half>
+FACET_CPU_CLONES std::uint64_t thin_row(const std::uint64_t* above, const std::uint64_t* row,
+                                        const std::uint64_t* below, int words, std::uint64_t* out) {
+  std::uint64_t deleted = 0;
+  for (int k = 0; k < words; ++k) {
+    const std::uint64_t doomed =
+        row[k] & guo_hall_deletes(neighbours_of(above + k, row + k, below + k), half);
+    out[k] = row[k] & ~doomed;
+    deleted |= doomed;
+  }
+  return deleted;
+}
+
+template <int half>
+bool thin_once(BitMask& mask, BitMask& spare) {
+  std::uint64_t deleted = 0;
+  for (int y = 0; y < mask.size().height; ++y)
+    deleted |= thin_row<half>(mask.row(y - 1), mask.row(y), mask.row(y + 1), mask.words(), spare.row(y));
+  mask.swap(spare);
+  return deleted != 0;
+}
+
+}  // namespace
 
 void thin(CpuExecutor& executor, ImageView<std::uint8_t> edge, ImageView<std::uint8_t>) {
-  SparseMask& mask = executor.scratch().mask;
-  std::vector<int>* waiting[2] = {&executor.scratch().list_a, &executor.scratch().list_b};
-  std::vector<int>& doomed = executor.scratch().list_c;
-  mask.assign(edge, *waiting[0]);
-  *waiting[1] = *waiting[0];
-  for (const int pixel : *waiting[0]) mask.flags(pixel) = 3;  // bit h: waits in the list of half h
-  while (!waiting[0]->empty() || !waiting[1]->empty()) {
-    for (int half = 0; half < 2; ++half) {
-      doomed.clear();
-      for (const int pixel : *waiting[half]) {
-        mask.flags(pixel) &= static_cast<std::uint8_t>(~(1 << half));
-        if (mask.has(pixel) && thinning_tables[half][mask.code(pixel)]) doomed.push_back(pixel);
-      }
-      waiting[half]->clear();
-      for (const int pixel : doomed) {
-        edge(mask.x(pixel), mask.y(pixel)) = 0;
-        mask.remove(pixel, [&](int neighbour) {
-          for (int next = 0; next < 2; ++next) {
-            if (mask.flags(neighbour) & (1 << next)) continue;
-            mask.flags(neighbour) |= static_cast<std::uint8_t>(1 << next);
-            waiting[next]->push_back(neighbour);
-          }
-        });
-      }
-    }
+  BitMask &mask = executor.scratch().bits[0], &spare = executor.scratch().bits[1];
+  mask.assign(edge);
+  spare.resize(mask.size());
+  bool changed = true;
+  while (changed) {
+    changed = thin_once<0>(mask, spare);
+    changed |= thin_once<1>(mask, spare);
   }
+  mask.write(edge);
 }
 
 }  // namespace facet

@@ -4,8 +4,7 @@
 
 namespace facet {
 
-/// Same result as the generic thinning; after the first round only pixels beside a deleted one are looked at
-/// again.
+/// Same result as the generic thinning, 64 pixels at a time.
 void thin(CpuExecutor& executor, ImageView<std::uint8_t> edge, ImageView<std::uint8_t> mark);
 
 }  // namespace facet

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "core/image_view.hpp"
+#include "core/neighbour_rule.hpp"
+
+namespace facet {
+
+/// A 0/1 mask with 64 pixels to the word: bit i of word k of a row is the pixel 64 k + i. Around the image
+/// there is one word to the left and right of each row, and a row above and below, that are zero, so that
+/// rules on neighbourhoods need no border tests. Keeps its memory.
+class BitMask {
+ public:
+  void resize(Size size);  ///< all pixels are clear afterwards
+  /// Copies a mask of zeros and ones.
+  void assign(ImageView<const std::uint8_t> mask);
+  /// mark_row(y, bytes) writes a row of zeros and ones.
+  template <class MarkRow>
+  void assign_rows(Size size, const MarkRow& mark_row) {
+    resize(size);
+    bytes_.resize(static_cast<std::size_t>(size_.width));
+    for (int y = 0; y < size_.height; ++y) {
+      mark_row(y, bytes_.data());
+      pack(bytes_.data(), row(y));
+    }
+  }
+  void write(ImageView<std::uint8_t> mask) const;
+  Size size() const { return size_; }
+  int words() const { return pitch_ - 2; }
+  /// -1 <= y <= height; words -1 ... words() can be read.
+  std::uint64_t* row(int y) { return words_.data() + offset(y); }
+  const std::uint64_t* row(int y) const { return words_.data() + offset(y); }
+  /// The pixels of the image in the last word of a row.
+  std::uint64_t last_word() const { return ~std::uint64_t{0} >> (words() * 64 - size_.width); }
+  void swap(BitMask& other) noexcept;
+
+ private:
+  void pack(const std::uint8_t* from, std::uint64_t* to) const;
+  std::ptrdiff_t offset(int y) const { return (std::ptrdiff_t{y} + 1) * pitch_ + 1; }
+
+  Size size_;
+  int pitch_ = 2;
+  std::vector<std::uint64_t> words_;
+  std::vector<std::uint8_t> bytes_;  ///< a row
+};
+
+/// visit(x, y) for every pixel that is set, in raster order.
+template <class Visit>
+void for_each_set(const BitMask& mask, const Visit& visit) {
+  for (int y = 0; y < mask.size().height; ++y)
+    for (int k = 0; k < mask.words(); ++k)
+      for (std::uint64_t rest = mask.row(y)[k]; rest != 0; rest &= rest - 1)
+        visit(k * 64 + std::countr_zero(rest), y);
+}
+
+/// The neighbours of 64 pixels; the arguments point at the word of three rows.
+inline Neighbours<std::uint64_t> neighbours_of(const std::uint64_t* above, const std::uint64_t* row,
+                                               const std::uint64_t* below) {
+  const auto from_left = [](const std::uint64_t* w) { return w[0] << 1 | w[-1] >> 63; };
+  const auto from_right = [](const std::uint64_t* w) { return w[0] >> 1 | w[1] << 63; };
+  return {{above[0], from_right(above), from_right(row), from_right(below), below[0], from_left(below),
+           from_left(row), from_left(above)}};
+}
+
+/// Dilation and erosion by the 3x3 square, `steps` times, in place; `spare` is overwritten. The image
+/// continues beyond its edge as on it.
+void dilate_square(int steps, BitMask& mask, BitMask& spare);
+void erode_square(int steps, BitMask& mask, BitMask& spare);
+
+/// mask = mask and not other, and, or.
+void subtract(BitMask& mask, const BitMask& other);
+void intersect(BitMask& mask, const BitMask& other);
+void unite(BitMask& mask, const BitMask& other);
+
+}  // namespace facet
