@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -23,17 +24,16 @@ class PixelMatching {
     for (std::size_t i = 0; i < b.size(); ++i) b_at_(b[i].x, b[i].y) = static_cast<std::int32_t>(i);
     b_of_a_.assign(a.size(), none);
     a_of_b_.assign(b.size(), none);
+    came_from_.assign(a.size(), none);
+    visited_.assign(a.size(), false);
   }
 
   int solve() {
     pair_nearest();
-    while (find_levels()) {
-      next_offset_.assign(a_.size(), 0);
-      for (std::size_t i = 0; i < a_.size(); ++i)
-        if (b_of_a_[i] == none && level_[i] == 0) augment(static_cast<int>(i));
-    }
-    return static_cast<int>(
-        std::count_if(b_of_a_.begin(), b_of_a_.end(), [](int partner) { return partner != none; }));
+    int matched = 0;
+    for (int a = 0; a < static_cast<int>(a_.size()); ++a)
+      if (b_of_a_[static_cast<std::size_t>(a)] != none || augment(a)) ++matched;
+    return matched;
   }
 
  private:
@@ -50,78 +50,59 @@ class PixelMatching {
   }
 
   void pair_nearest() {
+    std::vector<int> free_a(a_.size());
+    std::iota(free_a.begin(), free_a.end(), 0);
     for (std::size_t k = 0; k < offsets_.size(); ++k) {
-      for (int a = 0; a < static_cast<int>(a_.size()); ++a) {
-        if (b_of_a_[static_cast<std::size_t>(a)] != none) continue;
+      std::erase_if(free_a, [&](int a) {
         const int b = neighbour(a, k);
-        if (b != none && a_of_b_[static_cast<std::size_t>(b)] == none) pair(a, b);
-      }
+        if (b == none || a_of_b_[static_cast<std::size_t>(b)] != none) return false;
+        pair(a, b);
+        return true;
+      });
     }
   }
 
-  /// Breadth first from the free a; true if a free b can be reached.
-  bool find_levels() {
-    level_.assign(a_.size(), none);
-    std::vector<int> queue;
-    for (std::size_t i = 0; i < a_.size(); ++i)
-      if (b_of_a_[i] == none) level_[i] = 0, queue.push_back(static_cast<int>(i));
-    int last_level = none;  // of the shortest ways to a free b; later levels are of no use
+  /// Searches a shortest way from a free a to a free b, breadth first, and moves the pairs along it. Pixels
+  /// from which there is none now will never have one: they stay visited and are not searched again.
+  bool augment(int start) {
+    std::vector<int> queue{start};
+    visited_[static_cast<std::size_t>(start)] = true;
     for (std::size_t head = 0; head < queue.size(); ++head) {
-      const int a = queue[head], level = level_[static_cast<std::size_t>(a)];
-      if (last_level != none && level > last_level) break;
+      const int a = queue[head];
       for (std::size_t k = 0; k < offsets_.size(); ++k) {
         const int b = neighbour(a, k);
         if (b == none) continue;
         const int partner = a_of_b_[static_cast<std::size_t>(b)];
         if (partner == none) {
-          last_level = level;
-        } else if (level_[static_cast<std::size_t>(partner)] == none) {
-          level_[static_cast<std::size_t>(partner)] = level + 1;
-          queue.push_back(partner);
+          move_pairs(start, a, b);
+          for (const int seen : queue) visited_[static_cast<std::size_t>(seen)] = false;
+          return true;
         }
+        if (visited_[static_cast<std::size_t>(partner)]) continue;
+        visited_[static_cast<std::size_t>(partner)] = true;
+        came_from_[static_cast<std::size_t>(partner)] = a;
+        queue.push_back(partner);
       }
     }
-    return last_level != none;
+    return false;
   }
 
-  /// Depth first along the levels, without recursion: ways can be as long as an edge.
-  void augment(int start) {
-    std::vector<std::pair<int, int>> way;  // a and the b it leaves by
-    int a = start;
+  /// Gives b to a, what a had to the one it was reached from, and so on back to the start.
+  void move_pairs(int start, int a, int b) {
     while (true) {
-      const int b = next_step(a);
-      if (b != none) {
-        way.push_back({a, b});
-        a = a_of_b_[static_cast<std::size_t>(b)];
-        if (a != none) continue;
-        for (const auto& [from, to] : way) pair(from, to);
-        return;
-      }
-      level_[static_cast<std::size_t>(a)] = none;
-      if (way.empty()) return;
-      a = way.back().first;
-      way.pop_back();
+      const int given_up = b_of_a_[static_cast<std::size_t>(a)];
+      pair(a, b);
+      if (a == start) return;
+      a = came_from_[static_cast<std::size_t>(a)];
+      b = given_up;
     }
-  }
-
-  int next_step(int a) {
-    std::size_t& k = next_offset_[static_cast<std::size_t>(a)];
-    while (k < offsets_.size()) {
-      const int b = neighbour(a, k++);
-      if (b == none) continue;
-      const int partner = a_of_b_[static_cast<std::size_t>(b)];
-      if (partner == none ||
-          level_[static_cast<std::size_t>(partner)] == level_[static_cast<std::size_t>(a)] + 1)
-        return b;
-    }
-    return none;
   }
 
   const std::vector<ContourPoint>& a_;
   std::vector<GridOffset> offsets_;
   Image<std::int32_t> b_at_;
-  std::vector<int> b_of_a_, a_of_b_, level_;
-  std::vector<std::size_t> next_offset_;
+  std::vector<int> b_of_a_, a_of_b_, came_from_;
+  std::vector<bool> visited_;  ///< a
 };
 
 bool is_in_group(EdgeKind kind, EdgeGroup group) {

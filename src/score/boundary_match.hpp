@@ -8,8 +8,8 @@
 namespace facet {
 
 /// Size of a largest set of pairs (a, b), every pixel in one pair at most, no pair farther apart than
-/// `tolerance_px`: Hopcroft and Karp 1973, started from the nearest pairs. Pixels must lie in an image of
-/// that size, those of b listed once.
+/// `tolerance_px`: the nearest pixels are paired, then pairs are moved along augmenting paths (Kuhn 1955).
+/// Pixels must lie in an image of that size, those of b listed once.
 int match_one_to_one(const std::vector<ContourPoint>& a, const std::vector<ContourPoint>& b, Size size,
                      double tolerance_px);
 
