@@ -15,34 +15,35 @@ namespace {
 constexpr int none = -1;
 
 /// Bipartite graph of the pixels of two sets that are near each other, never written out: the neighbours of
-/// a pixel stand in an image.
+/// a pixel stand in an image, with a margin as wide as the tolerance.
 class PixelMatching {
  public:
   PixelMatching(const std::vector<ContourPoint>& a, const std::vector<ContourPoint>& b, Size size,
                 double tolerance_px)
-      : a_(a), offsets_(offsets_within(tolerance_px)), b_at_(size, none) {
-    for (std::size_t i = 0; i < b.size(); ++i) b_at_(b[i].x, b[i].y) = static_cast<std::int32_t>(i);
-    b_of_a_.assign(a.size(), none);
-    a_of_b_.assign(b.size(), none);
-    came_from_.assign(a.size(), none);
-    visited_.assign(a.size(), false);
+      : b_of_a_(a.size(), none),
+        a_of_b_(b.size(), none),
+        came_from_(a.size(), none),
+        visited_(a.size(), false) {
+    const int margin = static_cast<int>(std::ceil(tolerance_px)) + 1;
+    b_at_ = Image<std::int32_t>({size.width + 2 * margin, size.height + 2 * margin}, none);
+    for (std::size_t i = 0; i < b.size(); ++i)
+      b_at_(b[i].x + margin, b[i].y + margin) = static_cast<std::int32_t>(i);
+    for (const ContourPoint p : a) place_of_a_.push_back(&b_at_(p.x + margin, p.y + margin));
+    for (const GridOffset& o : offsets_within(tolerance_px))
+      steps_.push_back(static_cast<std::ptrdiff_t>(o.dy) * b_at_.stride() + o.dx);
   }
 
   int solve() {
     pair_nearest();
     int matched = 0;
-    for (int a = 0; a < static_cast<int>(a_.size()); ++a)
+    for (int a = 0; a < static_cast<int>(b_of_a_.size()); ++a)
       if (b_of_a_[static_cast<std::size_t>(a)] != none || augment(a)) ++matched;
     return matched;
   }
 
  private:
-  /// The b at the k-th offset from an a, or none.
-  int neighbour(int a, std::size_t k) const {
-    const int x = a_[static_cast<std::size_t>(a)].x + offsets_[k].dx;
-    const int y = a_[static_cast<std::size_t>(a)].y + offsets_[k].dy;
-    return b_at_.size().contains(x, y) ? b_at_(x, y) : none;
-  }
+  /// The b at the k-th step from an a, nearest first, or none.
+  int neighbour(int a, std::size_t k) const { return place_of_a_[static_cast<std::size_t>(a)][steps_[k]]; }
 
   void pair(int a, int b) {
     b_of_a_[static_cast<std::size_t>(a)] = b;
@@ -50,9 +51,9 @@ class PixelMatching {
   }
 
   void pair_nearest() {
-    std::vector<int> free_a(a_.size());
+    std::vector<int> free_a(b_of_a_.size());
     std::iota(free_a.begin(), free_a.end(), 0);
-    for (std::size_t k = 0; k < offsets_.size(); ++k) {
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
       std::erase_if(free_a, [&](int a) {
         const int b = neighbour(a, k);
         if (b == none || a_of_b_[static_cast<std::size_t>(b)] != none) return false;
@@ -69,7 +70,7 @@ class PixelMatching {
     visited_[static_cast<std::size_t>(start)] = true;
     for (std::size_t head = 0; head < queue.size(); ++head) {
       const int a = queue[head];
-      for (std::size_t k = 0; k < offsets_.size(); ++k) {
+      for (std::size_t k = 0; k < steps_.size(); ++k) {
         const int b = neighbour(a, k);
         if (b == none) continue;
         const int partner = a_of_b_[static_cast<std::size_t>(b)];
@@ -98,9 +99,9 @@ class PixelMatching {
     }
   }
 
-  const std::vector<ContourPoint>& a_;
-  std::vector<GridOffset> offsets_;
   Image<std::int32_t> b_at_;
+  std::vector<const std::int32_t*> place_of_a_;  ///< in b_at_
+  std::vector<std::ptrdiff_t> steps_;
   std::vector<int> b_of_a_, a_of_b_, came_from_;
   std::vector<bool> visited_;  ///< a
 };

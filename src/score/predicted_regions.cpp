@@ -19,14 +19,14 @@ void require_size(Size size, Size expected, const char* what) {
 /// beyond 65535, the name of a group.
 PredictedRegions regions_by(const TruthLabels& truth, const Image<std::uint16_t>& labels,
                             const std::vector<int>& representative) {
-  std::vector<bool> present(65536, false);
+  std::vector<std::uint8_t> present(65536, 0);
   for (int y = 0; y < labels.height(); ++y)
-    for (int x = 0; x < labels.width(); ++x) present[labels(x, y)] = true;
+    for (int x = 0; x < labels.width(); ++x) present[labels(x, y)] = 1;
   PredictedRegions out{Image<std::uint16_t>(labels.size(), 0), {}};
   std::map<int, std::uint16_t> by_representative;
   std::vector<std::uint16_t> index(65536, 0);
   for (int id = 1; id < 65536; ++id) {
-    if (!present[static_cast<std::size_t>(id)]) continue;
+    if (present[static_cast<std::size_t>(id)] == 0) continue;
     const auto next = static_cast<std::uint16_t>(out.regions.size() + 1);
     const auto [at, is_new] = by_representative.emplace(representative[static_cast<std::size_t>(id)], next);
     if (is_new) out.regions.emplace_back();
