@@ -11,7 +11,7 @@ namespace facet {
 namespace {
 
 constexpr double degree = M_PI / 180;
-constexpr double special_distance_m = 0.9;
+constexpr double special_distance_m = 0.9, nearest_camera_m = 0.1;
 
 std::string numbered(const std::string& stem, int number) {
   const std::string digits = std::to_string(number);
@@ -71,6 +71,8 @@ void move_camera(const SetSpec& spec, const PlannedFrame& planned, View& view) {
   if (spec.vary == Vary::tilt_deg) elevation = planned.level * degree;
   const double progress = spec.frames > 1 ? static_cast<double>(planned.frame) / (spec.frames - 1) : 0;
   distance += progress * spec.path_distance_m;
+  if (distance < nearest_camera_m)
+    throw Error(ErrorKind::config, "path.distance_m: the camera would come nearer than 0.1 m to the scene");
   if (elevation != std::asin(away.z / norm(away)) || distance != norm(away)) {
     camera = seen_from(camera, elevation, distance);
   }
@@ -113,10 +115,10 @@ std::vector<PlannedFrame> plan_frames(const SetSpec& spec) {
   std::vector<PlannedFrame> frames;
   const std::vector<double> levels = spec.levels.empty() ? std::vector<double>{0} : spec.levels;
   for (const double level : levels) {
-    const std::string stem =
-        spec.vary == Vary::nothing
-            ? spec.scenes
-            : vary_names()[static_cast<std::size_t>(spec.vary) - 1] + "_" + level_text(level);
+    const std::string stem = spec.vary == Vary::nothing
+                                 ? spec.scenes
+                                 : std::string(vary_infos()[static_cast<std::size_t>(spec.vary) - 1].name) +
+                                       "_" + level_text(level);
     const bool in_range = spec.vary != Vary::distance_m ||
                           (level >= spec.sensor.nearest_m() && level <= spec.sensor.farthest_m());
     for (int scene = 0; scene < spec.count; ++scene) {
@@ -140,7 +142,7 @@ PlannedPose planned_pose(const SetSpec& spec, const PlannedFrame& planned) {
   return {planned.frame / 30.0, layout.view.T_world_camera};
 }
 
-PlannedPicture make_planned(const SetSpec& spec, const PlannedFrame& planned) {
+PlannedPicture make_planned(const SetSpec& spec, const PlannedFrame& planned) try {
   Layout layout = layout_of(spec, planned);
   PlannedPicture picture{.view = std::move(layout.view), .camera = spec.sensor.camera()};
   move_camera(spec, planned, picture.view);
@@ -152,6 +154,9 @@ PlannedPicture make_planned(const SetSpec& spec, const PlannedFrame& planned) {
   const std::uint64_t noise_seed = random_bits(spec.seed, stream, static_cast<std::uint64_t>(planned.frame));
   picture.depth_m = measured(sensor_at(spec, planned.level), picture.exact, picture.camera, noise_seed);
   return picture;
+} catch (const Error& error) {
+  const std::string place = (planned.sequence.empty() ? "" : planned.sequence + "/") + planned.id;
+  throw Error(error.kind(), "set '" + spec.name + "': " + place + ": " + error.what());
 }
 
 }  // namespace facet

@@ -164,7 +164,9 @@ Layout random_layout(const SceneRecipe& recipe, std::uint64_t seed, std::uint64_
   }
   if (layout.view.scene.objects.empty()) {
     throw Error(ErrorKind::config,
-                "recipe '" + recipe.name + "': no object can be placed on the table in view of the camera");
+                "recipe '" + recipe.name +
+                    "': object_scale or distance_m: no object of this size can be placed on the "
+                    "table, in view of the camera and 0.5 m away from it");
   }
   return layout;
 }

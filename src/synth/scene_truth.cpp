@@ -86,17 +86,17 @@ void add_occlusion(SceneTruth& truth, const View& view, const Camera& camera, Si
   }
 }
 
-GraspCounts grasp_counts(const SceneTruth& truth) {
+GraspCounts grasp_counts(const SceneTruth& truth, double factor) {
   GraspCounts counts;
   std::set<int> objects;
   for (const TrueFace& face : truth.faces) {
-    if (!face.graspable || face.visible_px < counted_face_px) continue;
+    if (!face.graspable || face.visible_px < factor * counted_face_px) continue;
     ++counts.surfaces;
     objects.insert(face.object_id);
   }
   counts.objects = static_cast<int>(objects.size());
   for (const TrueEdge& edge : truth.edges)
-    counts.edges += edge.graspable && edge.length_px >= counted_edge_px;
+    counts.edges += edge.graspable && edge.length_px >= factor * counted_edge_px;
   return counts;
 }
 

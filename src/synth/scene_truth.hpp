@@ -47,6 +47,7 @@ SceneTruth scene_truth(const View& view, const PosedScene& posed, const Renderin
                        const Camera& camera, const EdgeWalk& walk = {});
 /// Sets occluded_share by rendering every object alone.
 void add_occlusion(SceneTruth& truth, const View& view, const Camera& camera, Size size);
-GraspCounts grasp_counts(const SceneTruth& truth);
+/// `factor` scales both limits of the void rules.
+GraspCounts grasp_counts(const SceneTruth& truth, double factor = 1);
 
 }  // namespace facet

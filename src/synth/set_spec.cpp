@@ -1,5 +1,7 @@
 #include "synth/set_spec.hpp"
 
+#include <set>
+
 #include "core/error.hpp"
 #include "synth/families.hpp"
 
@@ -56,11 +58,14 @@ double SensorSettings::farthest_m() const {
   }
 }
 
-const std::vector<std::string>& vary_names() {
-  static const std::vector<std::string> names{
-      "objects",   "noise",   "distance_m", "object_scale", "roll_deg",   "tilt_deg", "yaw_deg",
-      "occlusion", "dropout", "shadow",     "reflectivity", "crease_deg", "gap_mm"};
-  return names;
+const std::vector<VaryInfo>& vary_infos() {
+  static const std::vector<VaryInfo> infos{
+      {"objects", 1, 1000, true}, {"noise", 0, 100},         {"distance_m", 0.1, 10},
+      {"object_scale", 0.05, 20}, {"roll_deg", -360, 360},   {"tilt_deg", 0, 90},
+      {"yaw_deg", -360, 360},     {"occlusion", 0, 0.95},    {"dropout", 0, 1},
+      {"shadow", 0, 1, true},     {"reflectivity", 0.05, 1}, {"crease_deg", 1, 90},
+      {"gap_mm", 0, 100}};
+  return infos;
 }
 
 void check_set(const SetSpec& spec) {
@@ -71,6 +76,9 @@ void check_set(const SetSpec& spec) {
   require(spec.frames >= 1, spec, "frames: at least 1");
   require((spec.vary == Vary::nothing) == spec.levels.empty(), spec,
           "vary: needs levels, and levels need it");
+  std::set<std::string> levels;
+  for (const double level : spec.levels)
+    require(levels.insert(std::to_string(level)).second, spec, "vary: a level is given twice");
   require((spec.scenes == "crease") == (spec.vary == Vary::crease_deg), spec,
           "scenes crease and vary crease_deg belong together");
   require((spec.scenes == "gap") == (spec.vary == Vary::gap_mm), spec,

@@ -58,9 +58,14 @@ struct SetSpec {
   double path_distance_m = 0;  ///< and away from it
 };
 
-/// Names of what a set can vary, in the order of Vary after `nothing`; also in specs and in the ids of
-/// frames.
-const std::vector<std::string>& vary_names();
+/// Something that a set can vary.
+struct VaryInfo {
+  const char* name;  ///< in specs and in the ids of frames
+  double lowest, highest;
+  bool whole = false;  ///< levels are whole numbers
+};
+/// In the order of Vary after `nothing`.
+const std::vector<VaryInfo>& vary_infos();
 /// Error{config} naming set, key and rule where the spec is impossible.
 void check_set(const SetSpec& spec);
 

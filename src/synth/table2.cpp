@@ -28,10 +28,25 @@ struct Evaluation {
   double interacting = 0;
 };
 
-Evaluation evaluate(const Layout& layout, const Camera& camera, Size size) {
+int cost_of(const Evaluation& found, const Table2Row& row) {
+  const int clutter = row.kind == "Mixed HC" && found.interacting < 0.5 ? 3 : 0;
+  return 3 * std::abs(found.counts.objects - row.counts.objects) +
+         std::abs(found.counts.surfaces - row.counts.surfaces) +
+         std::abs(found.counts.edges - row.counts.edges) + clutter;
+}
+
+/// The counts are those of the row, and stay so where a reader measures lengths and areas a little
+/// differently.
+bool is_found(const Layout& layout, const Table2Row& row, const Camera& camera, Size size) {
+  constexpr double slack = 0.03;
   const PosedScene posed(layout.view.scene, layout.view.T_world_camera);
   const Rendering exact = render(posed, camera, size);
-  return {grasp_counts(scene_truth(layout.view, posed, exact, camera)), interacting_share(layout, exact)};
+  const SceneTruth truth = scene_truth(layout.view, posed, exact, camera);
+  const double interacting = interacting_share(layout, exact);
+  for (const double factor : {1 - slack, 1.0, 1 + slack}) {
+    if (cost_of({grasp_counts(truth, factor), interacting}, row) != 0) return false;
+  }
+  return true;
 }
 
 /// The same from a picture of half the size and edges walked in steps of 1 px: near enough to guide the
@@ -48,13 +63,6 @@ Evaluation estimate(const Layout& layout, const Camera& camera, Size size) {
   truth.faces = true_faces(view.scene, posed, exact, half, truth.edges);
   for (TrueFace& face : truth.faces) face.visible_px *= 4;
   return {grasp_counts(truth), interacting_share(layout, exact)};
-}
-
-int cost_of(const Evaluation& found, const Table2Row& row) {
-  const int clutter = row.kind == "Mixed HC" && found.interacting < 0.5 ? 3 : 0;
-  return 3 * std::abs(found.counts.objects - row.counts.objects) +
-         std::abs(found.counts.surfaces - row.counts.surfaces) +
-         std::abs(found.counts.edges - row.counts.edges) + clutter;
 }
 
 /// The layout with one object (and what rests on it) exchanged; nothing where no exchange found room.
@@ -113,7 +121,7 @@ Layout table2_layout(const Table2Row& row, std::uint64_t seed, const Camera& cam
     Draws draws(seed, mix_bits(start) ^ static_cast<std::uint64_t>(row.counts.surfaces));
     int cost = cost_of(estimate(layout, camera, size), row);
     for (int idle = 0; idle < patience && evaluations > 0; ++idle, --evaluations) {
-      if (cost == 0 && cost_of(evaluate(layout, camera, size), row) == 0) return layout;
+      if (cost == 0 && is_found(layout, row, camera, size)) return layout;
       Layout changed = layout;
       if (!exchange_one(recipe, camera, size, draws, changed)) continue;
       const int changed_cost = cost_of(estimate(changed, camera, size), row);

@@ -18,8 +18,9 @@ const std::vector<Table2Row>& table2_rows();
 
 /// A scene of ours with exactly the row's numbers of graspable objects, faces and edges, found by a seeded
 /// search: objects are exchanged one by one, and a layout is accepted only where the counts derived from its
-/// geometry, after the void rules, are those of the row. In the HC scenes at least half of the objects touch
-/// or hide another. Error{config} where `evaluations` layouts do not suffice.
+/// geometry, after the void rules, are those of the row, with no length or area within 3 % of a limit. In the
+/// HC scenes at least half of the objects touch or hide another. Error{config} where `evaluations` layouts do
+/// not suffice.
 Layout table2_layout(const Table2Row& row, std::uint64_t seed, const Camera& camera, Size size,
                      int evaluations = 20000);
 

@@ -145,9 +145,13 @@ TrueEdge make_edge(const OwnedCurve& owned, const std::vector<WalkedPoint>& poin
   edge.kind = sample.kind;
   edge.faces = sample.own;
   edge.graspable = edge.kind != EdgeKind::concave && 2 * reachable >= counted;
-  for (std::size_t i = 1; i < edge.line.size(); ++i)
-    edge.length_px += distance(edge.line[i - 1], edge.line[i]);
   return edge;
+}
+
+double length_of(const ImagePath& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
+  return length;
 }
 
 std::vector<TrueEdge> walk_curve(const OwnedCurve& owned, const PosedScene& posed, const Camera& camera,
@@ -167,6 +171,7 @@ std::vector<TrueEdge> walk_curve(const OwnedCurve& owned, const PosedScene& pose
     if (!owned.curve.closed() && run.first == 0) edge.line.front() = *picture_of(camera, owned.curve.at(0));
     if (!owned.curve.closed() && run.last == n - 1) edge.line.back() = *picture_of(camera, owned.curve.at(1));
     if (owned.curve.closed() && run.last - run.first == n - 1) edge.line.push_back(edge.line.front());
+    edge.length_px = length_of(edge.line);
     if (edge.length_px >= walk.shortest_px) edges.push_back(std::move(edge));
   }
   return edges;

@@ -47,10 +47,13 @@ void complete_benchmark_folder(const fs::path& folder, const BenchmarkSpec& spec
 
 void require_finished(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(folder / unfinished_mark, error))
-    throw Error(
-        ErrorKind::data,
-        printable(folder) + ": the benchmark in it is unfinished; the same `facet synth` completes it");
+  fs::path place = fs::absolute(folder, error).lexically_normal();
+  for (int level = 0; level < 4; ++level, place = place.parent_path()) {  // BENCHMARK/SET/SEQUENCE/truth
+    if (fs::exists(place / unfinished_mark, error))
+      throw Error(
+          ErrorKind::data,
+          printable(place) + ": the benchmark in it is unfinished; the same `facet synth` completes it");
+  }
 }
 
 }  // namespace facet

@@ -7,7 +7,7 @@
 namespace facet {
 
 /// Changes whenever the same spec gives other bytes.
-inline constexpr const char* generator_version = "2";
+inline constexpr const char* generator_version = "3";
 
 /// Says in a folder that its benchmark is not complete, and what it is made from.
 inline constexpr const char* unfinished_mark = "unfinished.txt";
@@ -21,7 +21,7 @@ std::string benchmark_content(const BenchmarkSpec& spec);
 void open_benchmark_folder(const std::filesystem::path& folder, const BenchmarkSpec& spec);
 /// Writes version.txt, spec.yaml and the checksums of all files, and takes the mark away.
 void complete_benchmark_folder(const std::filesystem::path& folder, const BenchmarkSpec& spec);
-/// Error{data} where the folder is marked as unfinished.
+/// Error{data} where the folder, or the benchmark that it is a part of, is marked as unfinished.
 void require_finished(const std::filesystem::path& folder);
 
 }  // namespace facet

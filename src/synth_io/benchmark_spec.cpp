@@ -1,6 +1,7 @@
 #include "synth_io/benchmark_spec.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/error.hpp"
@@ -54,11 +55,15 @@ void read_sensor(MapReader& reader, SensorSettings& sensor) {
 }
 
 void read_vary(MapReader& reader, SetSpec& set) {
-  const std::vector<std::string>& names = vary_names();
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    reader.numbers(names[k].c_str(), [&](const std::vector<double>& levels) {
-      if (set.vary != Vary::nothing) reader.problem(names[k].c_str(), "a set varies one thing only");
-      set.vary = static_cast<Vary>(k + 1);
+  std::size_t kind = 0;
+  for (const VaryInfo& info : vary_infos()) {
+    const auto vary = static_cast<Vary>(++kind);
+    reader.numbers(info.name, info.lowest, info.highest, [&](const std::vector<double>& levels) {
+      if (set.vary != Vary::nothing) reader.problem(info.name, "a set varies one thing only");
+      if (info.whole &&
+          std::any_of(levels.begin(), levels.end(), [](double v) { return v != std::floor(v); }))
+        reader.problem(info.name, "expected whole numbers");
+      set.vary = vary;
       set.levels = levels;
     });
   }

@@ -116,7 +116,8 @@ void MapReader::choice(const char* key, const std::vector<std::string>& names,
   });
 }
 
-void MapReader::numbers(const char* key, const std::function<void(const std::vector<double>&)>& set) {
+void MapReader::numbers(const char* key, double low, double high,
+                        const std::function<void(const std::vector<double>&)>& set) {
   const YAML::Node node = find(key);
   if (!node.IsDefined()) return;
   if (!node.IsSequence() || node.size() == 0)
@@ -124,7 +125,7 @@ void MapReader::numbers(const char* key, const std::function<void(const std::vec
   std::vector<double> values;
   for (const auto& item : node) {
     double value = 0;
-    if (read_number(item, key, -1e6, 1e6, value)) values.push_back(value);
+    if (read_number(item, key, low, high, value)) values.push_back(value);
   }
   if (values.size() == node.size()) set(values);
 }

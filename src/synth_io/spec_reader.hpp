@@ -35,7 +35,8 @@ class MapReader {
   /// One of the names; the others are listed in the problem.
   void choice(const char* key, const std::vector<std::string>& names,
               const std::function<void(std::size_t)>& set);
-  void numbers(const char* key, const std::function<void(const std::vector<double>&)>& set);
+  void numbers(const char* key, double low, double high,
+               const std::function<void(const std::vector<double>&)>& set);
   void map(const char* key, const std::function<void(MapReader&)>& read);
   void maps(const char* key, const std::function<void(MapReader&)>& read);
   void required(const char* key);

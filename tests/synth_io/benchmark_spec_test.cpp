@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "file/file_bytes.hpp"
 #include "support/temporary_folder.hpp"
+#include "synth/frame_plan.hpp"
 
 namespace facet {
 namespace {
@@ -79,6 +80,35 @@ TEST(BenchmarkSpec, ImpossibleCombinationsAreNamed) {
       problem("{name: a, scenes: boxes, sensor: {model: stereo}, vary: {shadow: [0]}}").find("kinect_v1"),
       std::string::npos);
   EXPECT_NE(problem("{scenes: boxes}").find("sets[0].name: is missing"), std::string::npos);
+}
+
+TEST(BenchmarkSpec, ImpossibleLevelsAreNamedWithTheirPlace) {
+  const auto problem = [](const std::string& vary) {
+    return problems_of("schema: 1\nname: x\nsets: [{name: a, scenes: mixed, vary: {" + vary + "}}]\n");
+  };
+  EXPECT_NE(problem("objects: [1, 0]").find("3:53: sets[0].vary.objects: found '0'"), std::string::npos)
+      << problem("objects: [1, 0]");
+  EXPECT_NE(problem("objects: [2.5]").find("expected whole numbers"), std::string::npos);
+  EXPECT_NE(problem("noise: [-1]").find("expected a number from 0 to 100"), std::string::npos);
+  EXPECT_NE(problem("occlusion: [1.5]").find("sets[0].vary.occlusion"), std::string::npos);
+  EXPECT_NE(problem("tilt_deg: [-10]").find("sets[0].vary.tilt_deg"), std::string::npos);
+  EXPECT_NE(problem("yaw_deg: [5, 5]").find("a level is given twice"), std::string::npos);
+}
+
+TEST(BenchmarkSpec, AFrameThatCannotBeMadeNamesItsSetAndTheKey) {
+  const auto error_of = [](const std::string& keys) -> std::string {
+    const std::string text = "schema: 1\nname: x\nsets: [{name: a, scenes: mixed, " + keys + "}]\n";
+    const BenchmarkSpec spec = parse_benchmark_spec(text, "spec.yaml");
+    try {
+      make_planned(spec.sets[0], plan_frames(spec.sets[0]).back());
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(error_of("vary: {object_scale: [18]}").find("set 'a': object_scale_18_000: "), 0u);
+  EXPECT_NE(error_of("distance_m: 0.3").find("distance_m"), std::string::npos);
+  EXPECT_NE(error_of("frames: 2, path: {distance_m: -0.9}").find("path.distance_m"), std::string::npos);
 }
 
 TEST(BenchmarkSpec, ASeedPutInIsReadBackFromTheTextInEveryStyleOfFile) {

@@ -134,6 +134,7 @@ TEST(WriteBenchmark, AnInterruptedFolderIsNeverTakenForAWholeOneAndTheSameCallCo
   EXPECT_FALSE(fs::exists(broken / "spec.yaml"));
   EXPECT_FALSE(fs::exists(broken / "boxes/dataset.yaml"));
   expect_error(ErrorKind::data, "is unfinished", [&] { validate_benchmark(broken); });
+  expect_error(ErrorKind::data, "is unfinished", [&] { validate_annotations(broken / "boxes/truth"); });
   BenchmarkSpec other = parse_benchmark_spec(small_spec, "small.yaml");
   other.text += "# changed\n";
   expect_error(ErrorKind::usage, "unfinished benchmark of another spec",
