@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "score/offsets.hpp"
-
 namespace facet {
 namespace {
 
@@ -12,7 +10,7 @@ constexpr double rounding_px = 0.7072;  // the largest distance of a sample to t
 }  // namespace
 
 SampleSearch::SampleSearch(const Image<std::uint8_t>& codes, double reach_px)
-    : codes_(codes), reach_px_(reach_px), offsets_(offsets_within(reach_px + rounding_px)) {}
+    : codes_(codes), offsets_(offsets_within(reach_px + rounding_px)) {}
 
 std::vector<SampleHit> SampleSearch::search(const ScoredEdge& edge) const {
   std::vector<SampleHit> hits;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "score/frame_truth.hpp"
+#include "score/offsets.hpp"
 
 namespace facet {
 
@@ -25,8 +26,7 @@ class SampleSearch {
   SampleHit search(ImagePoint sample, const ScoredEdge& edge) const;
 
   const Image<std::uint8_t>& codes_;
-  double reach_px_;
-  std::vector<struct GridOffset> offsets_;
+  std::vector<GridOffset> offsets_;
 };
 
 }  // namespace facet
