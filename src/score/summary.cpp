@@ -3,92 +3,16 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "score/metric_column.hpp"
 
 namespace facet {
 namespace {
 
-using Frames = std::vector<ScoreCollection::Frame>;
-
-std::string missing_truth(const AnnotatedParts& needs) {
-  return std::string("the truth has no ") + (needs.poses      ? "poses"
-                                             : needs.edges    ? "edges"
-                                             : needs.surfaces ? "surfaces"
-                                                              : "object masks");
-}
-
-std::string missing_prediction(const PredictedParts& needs) {
-  return std::string("the predictions have no ") + (needs.edges    ? "edges"
-                                                    : needs.grasps ? "grasps"
-                                                                   : "poses");
-}
-
-/// Why a metric has no value on these frames, empty where it has one.
-template <class NeedingMetric>
-std::string reason_not_provided(const Frames& frames, const NeedingMetric& needing) {
-  Metric metric;  // carries the needs alone
-  metric.needs_truth = needing.needs_truth;
-  metric.needs_prediction = needing.needs_prediction;
-  bool annotated = false, predicted = false, any_prediction = false;
-  for (const auto& [score, sequence] : frames) {
-    if (!metric.is_annotated(score)) continue;
-    annotated = true;
-    any_prediction = any_prediction || !score.failed;
-    predicted = predicted || (!score.failed && metric.is_predicted(score));
-  }
-  if (!annotated) return frames.empty() ? "no frame was scored" : missing_truth(metric.needs_truth);
-  return predicted || !any_prediction ? "" : missing_prediction(metric.needs_prediction);
-}
-
-/// A metric's sums and value per frame; frames without annotation have no sums.
-struct MetricColumn {
-  std::vector<std::optional<MetricSums>> sums;
-  std::vector<std::optional<double>> values;
-
-  MetricColumn(const Frames& frames, const Metric& metric) {
-    for (const auto& [score, sequence] : frames) {
-      sums.push_back(metric.is_annotated(score) ? std::optional(metric.sums(score)) : std::nullopt);
-      values.push_back(sums.back() ? metric.value(*sums.back()) : std::nullopt);
-    }
-  }
-  std::optional<double> micro(const std::vector<int>& frames, const Metric& metric) const {
-    MetricSums total{};
-    bool any = false;
-    for (const int frame : frames) {
-      const auto& s = sums[static_cast<std::size_t>(frame)];
-      if (!s) continue;
-      any = true;
-      for (std::size_t k = 0; k < total.size(); ++k) total[k] += (*s)[k];
-    }
-    return any ? metric.value(total) : std::nullopt;
-  }
-  std::optional<double> macro(const std::vector<int>& frames) const {
-    double total = 0;
-    int count = 0;
-    for (const int frame : frames) {
-      const auto& v = values[static_cast<std::size_t>(frame)];
-      if (v) total += *v, ++count;
-    }
-    return count > 0 ? std::optional(total / count) : std::nullopt;
-  }
-};
-
-std::vector<int> all_indices(const Frames& frames) {
-  std::vector<int> indices(frames.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<int>(i);
-  return indices;
-}
-
-std::vector<std::string> sequences_of(const Frames& frames) {
-  std::vector<std::string> names;
-  for (const auto& frame : frames) names.push_back(frame.sequence);
-  return names;
-}
-
-MetricSummary summarise_metric(const Frames& frames, const Metric& metric, const MetricColumn& column) {
+MetricSummary summarise_metric(const ScoredFrames& frames, const Metric& metric, const MetricColumn& column) {
   MetricSummary out;
   out.name = metric.name;
   out.is_proportion = metric.rule == MetricRule::proportion;
-  out.not_provided = reason_not_provided(frames, metric);
+  out.not_provided = reason_not_provided(frames, metric.needs_truth, metric.needs_prediction);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!column.sums[i]) {
       ++out.frames_not_annotated;
@@ -105,7 +29,7 @@ MetricSummary summarise_metric(const Frames& frames, const Metric& metric, const
   return out;
 }
 
-std::vector<MetricSummary> summarise_metrics(const Frames& frames, const BootstrapOptions& options) {
+std::vector<MetricSummary> summarise_metrics(const ScoredFrames& frames, const BootstrapOptions& options) {
   std::vector<MetricColumn> columns;
   std::vector<MetricSummary> out;
   for (const Metric& metric : score_metrics()) {
@@ -129,9 +53,10 @@ std::vector<MetricSummary> summarise_metrics(const Frames& frames, const Bootstr
   return out;
 }
 
-std::vector<ErrorSummary> summarise_errors(const Frames& frames) {
+std::vector<ErrorSummary> summarise_errors(const ScoredFrames& frames) {
   const Metric& pose_metric = score_metric("pose_auc");
-  const std::string reason = reason_not_provided(frames, pose_metric);
+  const std::string reason =
+      reason_not_provided(frames, pose_metric.needs_truth, pose_metric.needs_prediction);
   std::vector<ErrorSummary> out;
   const auto add = [&](const char* name, const auto& values_of) {
     std::vector<double> values;
@@ -160,11 +85,11 @@ std::vector<ErrorSummary> summarise_errors(const Frames& frames) {
   return out;
 }
 
-std::vector<CurveSummary> summarise_curves(const Frames& frames) {
+std::vector<CurveSummary> summarise_curves(const ScoredFrames& frames) {
   std::vector<CurveSummary> out;
   for (const MetricCurve& curve : score_curves()) {
-    CurveSummary summary{curve.name, reason_not_provided(frames, curve), curve.thresholds,
-                         std::vector<Tally>(curve.thresholds.size())};
+    CurveSummary summary{curve.name, reason_not_provided(frames, curve.needs_truth, curve.needs_prediction),
+                         curve.thresholds, std::vector<Tally>(curve.thresholds.size())};
     for (const auto& [score, sequence] : frames) {
       const std::vector<Tally> tallies = curve.tallies(score);
       for (std::size_t i = 0; i < tallies.size(); ++i) {
@@ -186,7 +111,7 @@ const MetricSummary& ScoreSummary::metric(const std::string& name) const {
 }
 
 ScoreSummary summarise_scores(const ScoreCollection& collection, const BootstrapOptions& options) {
-  const Frames& frames = collection.frames;
+  const ScoredFrames& frames = collection.frames;
   const auto failed = static_cast<int>(
       std::count_if(frames.begin(), frames.end(), [](const auto& frame) { return frame.score.failed; }));
   const auto count = static_cast<int>(frames.size());
@@ -194,28 +119,6 @@ ScoreSummary summarise_scores(const ScoreCollection& collection, const Bootstrap
           .metrics = summarise_metrics(frames, options),
           .errors = summarise_errors(frames),
           .curves = summarise_curves(frames)};
-}
-
-ScoreDifference compare_scores(const ScoreCollection& a, const ScoreCollection& b, const std::string& name,
-                               const BootstrapOptions& options) {
-  if (a.frames.size() != b.frames.size())
-    throw Error(ErrorKind::internal, "scores of different frames cannot be compared");
-  const Metric& metric = score_metric(name);
-  const MetricColumn of_a(a.frames, metric), of_b(b.frames, metric);
-  const auto difference = [&](const std::vector<int>& frames) -> std::optional<double> {
-    const auto x = of_a.micro(frames, metric), y = of_b.micro(frames, metric);
-    return x && y ? std::optional(*x - *y) : std::nullopt;
-  };
-  if (!reason_not_provided(a.frames, metric).empty() || !reason_not_provided(b.frames, metric).empty())
-    return {};
-  ScoreDifference out{difference(all_indices(a.frames)), std::nullopt};
-  if (a.frames.size() < 2) return out;
-  std::vector<double> values;
-  for_each_resample(sequences_of(a.frames), options, [&](const std::vector<int>& drawn) {
-    if (const auto v = difference(drawn)) values.push_back(*v);
-  });
-  out.interval = percentile_interval(std::move(values));
-  return out;
 }
 
 }  // namespace facet
