@@ -33,9 +33,7 @@ Scene crowded_scene() {
     const SceneTruth scene = scene_truth(view, posed, exact, camera);
     const auto off = [](std::size_t n) { return n > 40 ? n - 40 : 40 - n; };
     if (!best.truth.surfaces.empty() && off(scene.faces.size()) >= off(best.truth.surfaces.size())) continue;
-    best = {truth_of(scene, exact), exact.object_ids, exact.depth_m, {}};
-    for (std::size_t f = 0; f < scene.faces.size(); ++f)
-      best.poses.push_back({static_cast<int>(f) + 1, scene.faces[f].plane, scene.faces[f].centroid_m});
+    best = {truth_of(scene, exact), exact.object_ids, exact.depth_m, true_poses(scene)};
   }
   return best;
 }

@@ -23,6 +23,8 @@ struct Arguments {
   std::string file;
   std::string dataset;
   std::optional<std::string> masks;
+  std::optional<std::string> annotations;
+  facet::ScoreRequest score;
   SynthOptions synth;
   std::string list_what;
   std::vector<std::string> run_directories;
@@ -46,29 +48,48 @@ void add_voice(CLI::App& command, Arguments& a) {
       ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
+/// What every command that takes frames through methods is told.
+void add_frame_options(CLI::App& command, Arguments& a) {
+  add_data_root(command, a);
+  command.add_option("-o,--out", a.run.out, "results root")->capture_default_str();
+  command.add_option("-j,--jobs", a.run.jobs, "frames at a time in the accuracy pass")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--filter", a.run.filter,
+                     "only frames whose dataset/frame matches this regular expression");
+  command.add_option("--limit", a.run.limit, "only the first N frames of every data set")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--resume", a.run.resume, "complete the newest run of the same configuration and build");
+  auto* fast = command.add_flag("--fail-fast", a.run.fail_fast, "stop at the first failed frame");
+  command.add_flag("--keep-going", a.keep_going, "go on after failed frames (the default)")->excludes(fast);
+  command.add_option("--max-failures", a.run.max_failures, "failed frames that are forgiven")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(fast);
+}
+
 void add_run(CLI::App& app, Arguments& a) {
   CLI::App* run = app.add_subcommand("run", "run methods over data sets, time them, write a run directory");
   run->add_option("experiment", a.file, "experiment file (YAML)")->required();
   add_config_options(*run, a);
-  add_data_root(*run, a);
-  run->add_option("-o,--out", a.run.out, "results root")->capture_default_str();
-  run->add_option("-j,--jobs", a.run.jobs, "frames at a time in the accuracy pass")
-      ->check(CLI::Range(1, 1024));
-  run->add_option("--filter", a.run.filter,
-                  "only frames whose dataset/frame matches this regular expression");
-  run->add_option("--limit", a.run.limit, "only the first N frames of every data set")
-      ->check(CLI::PositiveNumber);
-  run->add_flag("--resume", a.run.resume, "complete the newest run of the same configuration and build");
-  auto* fast = run->add_flag("--fail-fast", a.run.fail_fast, "stop at the first failed frame");
-  run->add_flag("--keep-going", a.keep_going, "go on after failed frames (the default)")->excludes(fast);
-  run->add_option("--max-failures", a.run.max_failures, "failed frames that are forgiven")
-      ->check(CLI::NonNegativeNumber)
-      ->excludes(fast);
+  add_frame_options(*run, a);
   run->add_flag("--dry-run", a.dry_run, "say what would run and stop");
   run->add_option("--backend", a.run.backend, "cpu, cuda or auto")
       ->check(CLI::IsMember({"cpu", "cuda", "auto"}))
       ->capture_default_str();
   add_voice(*run, a);
+}
+
+void add_scoring(CLI::App& app, Arguments& a) {
+  CLI::App* score = app.add_subcommand("score", "score the predictions that any program has written");
+  score->add_option("--pred", a.score.predictions, "folder with FRAME.labels.png and the like")->required();
+  score->add_option("--data", a.score.dataset, "a data set's name, its folder, or a benchmark's spec")
+      ->required();
+  score->add_option("--annotations", a.annotations, "folder of truth that wins over the data set's own");
+  add_frame_options(*score, a);
+  add_voice(*score, a);
+  CLI::App* test = app.add_subcommand("selftest", "score the truth of a data set: 100 % everywhere");
+  test->add_option("dataset", a.dataset, "a data set's name, its folder, or a benchmark's spec")->required();
+  test->add_option("--annotations", a.annotations, "folder of truth that wins over the data set's own");
+  add_data_root(*test, a);
 }
 
 void add_synth(CLI::App& app, Arguments& a) {
@@ -123,6 +144,11 @@ int dispatch(const CLI::App& app, Arguments& a) {
     a.run.config_file = a.file;
     return command_run(a.run, a.voice, a.dry_run);
   }
+  if (app.got_subcommand("score")) {
+    if (a.annotations) a.score.annotations = *a.annotations;
+    return command_score(a.score, a.run, a.voice);
+  }
+  if (app.got_subcommand("selftest")) return command_selftest(a.dataset, a.run.data_root, a.annotations);
   if (app.got_subcommand("show-config")) {
     if (a.defaults) return command_show_defaults();
     if (a.file.empty())
@@ -171,6 +197,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   add_run(app, arguments);
+  add_scoring(app, arguments);
   add_synth(app, arguments);
   add_others(app, arguments);
   try {

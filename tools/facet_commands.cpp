@@ -18,10 +18,12 @@
 #include "experiment/dataset_text.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/runner.hpp"
+#include "experiment/selftest.hpp"
 #include "experiment/validation.hpp"
 #include "facet_progress.hpp"
 #include "method/registry.hpp"
 #include "pipeline/stage_id.hpp"
+#include "score/metrics.hpp"
 
 namespace {
 
@@ -52,6 +54,42 @@ std::shared_ptr<spdlog::logger> make_log(const Voice& voice) {
   return log;
 }
 
+/// Runs, then prints the report, or how to go on after an interruption.
+template <class Run>
+int finish_run(const Voice& voice, const Run& run) {
+  stop_on_signals();
+  const auto log = make_log(voice);
+  facet::RunOutcome outcome;
+  {
+    Progress progress(log, !voice.no_progress && !voice.quiet);
+    outcome = run(progress);
+  }
+  if (stop_signal != 0) {
+    log->warn("interrupted; the same command with --resume completes {}", outcome.directory.string());
+    return outcome.exit_code;
+  }
+  fmt::print("{}\nrun directory: {}\nreport: {}\n", facet::render_console(outcome.report),
+             outcome.directory.string(), (outcome.directory / "report/report.html").string());
+  return outcome.exit_code;
+}
+
+/// What truth and prediction must have for a metric: "surfaces; edges, grasps".
+std::string needs_of(const facet::Metric& metric) {
+  std::string truth, prediction = "labels";
+  const auto add = [](std::string& text, bool needed, const char* name) {
+    if (needed) text += (text.empty() ? "" : ", ") + std::string(name);
+  };
+  add(truth, metric.needs_truth.surfaces, "surfaces");
+  add(truth, metric.needs_truth.edges, "edges");
+  add(truth, metric.needs_truth.masks, "object masks");
+  add(truth, metric.needs_truth.poses, "exact planes");
+  add(prediction, metric.needs_prediction.edges, "edges");
+  add(prediction, metric.needs_prediction.poses, "poses");
+  add(prediction, metric.needs_prediction.grasps, "grasps");
+  return fmt::format("needs {} of the truth, {} of the prediction{}", truth, prediction,
+                     metric.less_is_better ? "; less is better" : "");
+}
+
 void print_plan(const facet::Experiment& experiment, const facet::Plan& plan) {
   for (const facet::PlannedDataset& planned : plan.datasets)
     fmt::print("data set {}: {} of {} frames\n", planned.spec.name, planned.frames.size(),
@@ -69,20 +107,25 @@ int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_r
     print_plan(loaded.experiment, facet::check_experiment(loaded.experiment, options));
     return 0;
   }
-  stop_on_signals();
-  const auto log = make_log(voice);
-  facet::RunOutcome outcome;
-  {
-    Progress progress(log, !voice.no_progress && !voice.quiet);
-    outcome = facet::run_experiment(options, progress, stop_signal);
-  }
-  if (stop_signal != 0) {
-    log->warn("interrupted; the same command with --resume completes {}", outcome.directory.string());
-    return outcome.exit_code;
-  }
-  fmt::print("{}\nrun directory: {}\nreport: {}\n", facet::render_console(outcome.report),
-             outcome.directory.string(), (outcome.directory / "report/report.html").string());
-  return outcome.exit_code;
+  return finish_run(
+      voice, [&](Progress& progress) { return facet::run_experiment(options, progress, stop_signal); });
+}
+
+int command_score(const facet::ScoreRequest& request, const facet::RunOptions& options, const Voice& voice) {
+  return finish_run(voice, [&](Progress& progress) {
+    return facet::score_predictions(request, options, progress, stop_signal);
+  });
+}
+
+int command_selftest(const std::string& dataset, const std::optional<std::string>& data_root,
+                     const std::optional<std::string>& annotations) {
+  facet::DatasetSpec spec = facet::locate(facet::dataset_called(dataset), facet::find_data_root(data_root));
+  if (annotations) spec.annotations = *annotations;
+  const facet::Selftest test = facet::run_selftest(spec);
+  fmt::print("{}", test.text);
+  for (const std::string& problem : test.problems) fmt::print("problem: {}\n", problem);
+  if (!test.problems.empty()) return 1;
+  return test.annotated > 0 ? 0 : 6;
 }
 
 int command_report(const std::vector<std::string>& run_directories) {
@@ -171,8 +214,8 @@ int command_list(const std::string& what) {
     for (const facet::StageName& stage : facet::stage_names)
       fmt::print("{:<16} {}\n", stage.key, stage.column);
   if (what == "metrics")
-    fmt::print("{:<16} surfaces found in a frame, in metrics/frames.csv\n{:<16} those with a 6-DOF pose\n",
-               "surfaces", "posed");
+    for (const facet::Metric& metric : facet::score_metrics())
+      fmt::print("{:<44} {}\n", metric.name, needs_of(metric));
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiment/run_options.hpp"
+#include "experiment/score_run.hpp"
 
 /// How much is said on stderr, and how.
 struct Voice {
@@ -19,6 +20,11 @@ struct Voice {
 // facet::Error.
 
 int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_run);
+/// Scores the predictions that anyone's program wrote.
+int command_score(const facet::ScoreRequest& request, const facet::RunOptions& options, const Voice& voice);
+/// Scores the truth of a data set as a prediction; 1 where that is not perfect.
+int command_selftest(const std::string& dataset, const std::optional<std::string>& data_root,
+                     const std::optional<std::string>& annotations);
 int command_report(const std::vector<std::string>& run_directories);
 int command_show_config(const std::string& file, const std::vector<std::string>& overrides);
 int command_show_defaults();

@@ -116,6 +116,12 @@ class BenchmarkDataset : public ListedDataset {
     return frame;
   }
 
+  std::optional<FrameAnnotation> annotation(std::size_t index, const Frame& frame) const override {
+    const auto [part, planned] = planned_at(index);
+    return read_frame_annotation(place_.folder / part.name / "truth", planned.id, frame.depth_m.size(),
+                                 masks_of(frame));
+  }
+
  private:
   static constexpr double frames_per_second = 30;
 

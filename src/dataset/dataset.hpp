@@ -10,6 +10,7 @@
 #include "core/camera.hpp"
 #include "core/image.hpp"
 #include "core/sensor.hpp"
+#include "truth/frame_annotation.hpp"
 
 namespace facet {
 
@@ -44,6 +45,9 @@ class Dataset {
   virtual std::string shortfall(std::size_t) const { return {}; }
   /// Reads and checks one frame; throws Error{data} naming the file and the broken rule.
   virtual Frame load(std::size_t index) const = 0;
+  /// What is known of the truth of a frame that was loaded; nothing where it is not annotated. Throws
+  /// Error{data} naming the file and every broken rule.
+  virtual std::optional<FrameAnnotation> annotation(std::size_t index, const Frame& frame) const = 0;
 };
 
 }  // namespace facet

@@ -91,4 +91,32 @@ std::vector<std::string> select_frames(const DatasetSpec& spec, const std::vecto
   return spec.frames;
 }
 
+Image<std::uint16_t> masks_of(const Frame& frame) {
+  if (!frame.object_masks) return {};
+  const cv::Mat& pixels = *frame.object_masks;
+  Image<std::uint16_t> masks(Size{pixels.cols, pixels.rows});
+  for (int y = 0; y < pixels.rows; ++y) std::copy_n(pixels.ptr<std::uint16_t>(y), pixels.cols, masks.row(y));
+  return masks;
+}
+
+ListedDataset::ListedDataset(const DatasetSpec& spec, Sensor sensor, std::vector<std::string> ids)
+    : name_(spec.name), sensor_(sensor), ids_(std::move(ids)) {
+  if (!spec.annotations.empty()) {
+    if (!std::filesystem::is_directory(spec.annotations))
+      throw Error(ErrorKind::data, "data set '" + spec.name + "': annotations: " +
+                                       printable(spec.annotations) + ": folder is missing");
+    annotation_folders_.push_back(spec.annotations);
+  }
+  if (!spec.root.empty()) annotation_folders_.push_back(spec.root / "truth");
+}
+
+std::optional<FrameAnnotation> ListedDataset::annotation(std::size_t index, const Frame& frame) const {
+  const Image<std::uint16_t> masks = masks_of(frame);
+  for (const std::filesystem::path& folder : annotation_folders_)
+    if (auto found = read_frame_annotation(folder, frame_id(index), frame.depth_m.size(), masks))
+      return found;
+  if (masks.empty()) return std::nullopt;
+  return FrameAnnotation{std::nullopt, masks, {}, "object masks of the data set"};
+}
+
 }  // namespace facet

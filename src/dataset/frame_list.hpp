@@ -32,20 +32,27 @@ class FramePattern {
 /// selected frame that does not exist, or where there is none at all.
 std::vector<std::string> select_frames(const DatasetSpec& spec, const std::vector<std::string>& available);
 
+/// The object masks that came with a frame; empty where there are none.
+Image<std::uint16_t> masks_of(const Frame& frame);
+
 /// A data set whose frames were listed when it was opened.
 class ListedDataset : public Dataset {
  public:
-  ListedDataset(const DatasetSpec& spec, Sensor sensor, std::vector<std::string> ids)
-      : name_(spec.name), sensor_(sensor), ids_(std::move(ids)) {}
+  /// Throws Error{data} where the spec names a folder of annotations that is not there.
+  ListedDataset(const DatasetSpec& spec, Sensor sensor, std::vector<std::string> ids);
   const std::string& name() const override { return name_; }
   Sensor sensor() const override { return sensor_; }
   std::size_t size() const override { return ids_.size(); }
   std::string frame_id(std::size_t index) const override { return ids_.at(index); }
+  /// From the folder that the spec names, else from `truth` below the root, else the masks that came with the
+  /// frame.
+  std::optional<FrameAnnotation> annotation(std::size_t index, const Frame& frame) const override;
 
  private:
   std::string name_;
   Sensor sensor_;
   std::vector<std::string> ids_;
+  std::vector<std::filesystem::path> annotation_folders_;
 };
 
 }  // namespace facet

@@ -3,7 +3,9 @@
 #include <array>
 
 #include "dataset/frame_list.hpp"
+#include "synth/scene_truth.hpp"
 #include "synth/synthetic_frame.hpp"
+#include "synth_io/scene_annotation.hpp"
 
 namespace facet {
 namespace {
@@ -41,8 +43,7 @@ class SyntheticDataset : public ListedDataset {
   }
 
   Frame load(std::size_t index) const override {
-    const auto place = std::find(all_ids_.begin(), all_ids_.end(), frame_id(index)) - all_ids_.begin();
-    SyntheticFrame made = make_frame(scenes_, static_cast<std::size_t>(place));
+    SyntheticFrame made = make(index);
     Frame frame;
     frame.id = frame_id(index);
     frame.color = to_bgr(made.exact.colour);
@@ -53,7 +54,20 @@ class SyntheticDataset : public ListedDataset {
     return frame;
   }
 
+  std::optional<FrameAnnotation> annotation(std::size_t index, const Frame& frame) const override {
+    const SyntheticFrame made = make(index);
+    const PosedScene posed(made.view.scene, made.view.T_world_camera);
+    const SceneTruth truth = scene_truth(made.view, posed, made.exact, made.camera);
+    return FrameAnnotation{truth_of(truth, made.exact), masks_of(frame), true_poses(truth),
+                           "geometry of the built-in scenes"};
+  }
+
  private:
+  SyntheticFrame make(std::size_t index) const {
+    const auto place = std::find(all_ids_.begin(), all_ids_.end(), frame_id(index)) - all_ids_.begin();
+    return make_frame(scenes_, static_cast<std::size_t>(place));
+  }
+
   SyntheticSpec scenes_;
   std::vector<std::string> all_ids_;
 };

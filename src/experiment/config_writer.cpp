@@ -53,6 +53,9 @@ class ConfigWriter {
     line(4, "reader", spec.reader, path + ".reader", "a name of `facet list datasets`", "reads the files");
     if (!spec.root.empty())
       line(4, "root", quote(spec.root.string()), path + ".root", "a folder", "where it lies");
+    if (!spec.annotations.empty())
+      line(4, "annotations", quote(spec.annotations.string()), path + ".annotations", "a folder",
+           "truth that wins over what the data set has");
     line(4, "sensor", spell(spec.sensor), path + ".sensor", expectation<Sensor>({}),
          "auto = as the reader declares");
     line(4, "frames", frames(spec), path + ".frames", "all, or a list of frame ids",
@@ -63,6 +66,10 @@ class ConfigWriter {
     const std::string path = "methods." + spec.name;
     line(2, "- name", spec.name, path + ".name", "text", "name of the method in every output");
     line(4, "kind", spec.kind, path + ".kind", "a name of `facet list methods`", "what runs");
+    if (!spec.folder.empty())
+      line(4, "folder", quote(spec.folder.string()), path + ".folder", "a folder",
+           "where its predictions are");
+    if (spec.kind != "pipeline") return;
     raw("    params:");
     visit_fields(spec.params, fields(6, path + ".params"));
   }

@@ -24,13 +24,20 @@ std::string group_line(const FrameGroup& group) {
   return text + '\n';
 }
 
+/// Truth that comes with the program, where it still lies beside its sources.
+DatasetSpec with_shipped_annotations(DatasetSpec spec) {
+  const std::filesystem::path folder = std::filesystem::path(FACET_DATASETS) / spec.name / "annotations";
+  if (std::filesystem::is_directory(folder)) spec.annotations = folder;
+  return spec;
+}
+
 }  // namespace
 
 DatasetSpec dataset_called(const std::string& name_or_folder) {
   std::vector<std::string> names;
   for (const ReaderInfo& reader : readers()) names.emplace_back(reader.name);
   if (std::find(names.begin(), names.end(), name_or_folder) != names.end())
-    return named_dataset(name_or_folder);
+    return with_shipped_annotations(named_dataset(name_or_folder));
   const bool benchmark = is_benchmark(name_or_folder);
   if (!benchmark && !std::filesystem::is_directory(name_or_folder))
     throw Error(ErrorKind::data,

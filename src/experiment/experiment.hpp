@@ -10,12 +10,12 @@
 
 namespace facet {
 
-enum class PoseScore { automatic, on, off };
+enum class PoseScoring { automatic, on, off };
 struct ScoreOptions {
   bool surfaces = true;
   bool edges = true;
   bool objects = true;
-  PoseScore pose = PoseScore::automatic;  ///< automatic: where the truth has planes or poses
+  PoseScoring pose = PoseScoring::automatic;  ///< automatic: where the truth has planes or poses
 };
 
 struct TimingOptions {

@@ -137,6 +137,7 @@ DatasetSpec read_dataset(const ConfigValue& value, const std::string& where, Con
   }
   if (info->needs_root) spec.root = "${data_root}/" + spec.name;
   if (const ConfigValue* root = reader.take("root")) spec.root = resolve_root(*root);
+  if (const ConfigValue* folder = reader.take("annotations")) spec.annotations = resolve_root(*folder);
   reader("sensor", spec.sensor, FieldInfo{"", 0, 0, ""});
   read_frames(reader, spec);
   read_reader_options(reader, *info, spec);
@@ -157,6 +158,13 @@ MethodSpec read_method(const ConfigValue& value, const std::string& where, Confi
     if (std::find(known.begin(), known.end(), spec.kind) == known.end())
       reader.reject(*kind, "kind", fmt::format("one of {}", fmt::join(known, ", ")),
                     nearest_name(spec.kind, known));
+  }
+  if (const ConfigValue* folder = reader.take("folder")) {
+    spec.folder = resolve_root(*folder);
+    if (spec.kind != "predictions")
+      reader.reject(*folder, "folder", "nothing: only kind predictions has a folder");
+  } else if (spec.kind == "predictions") {
+    reader.reject(value, "folder", "a folder of predictions");
   }
   if (const ConfigValue* params = reader.take("params")) {
     SectionReader fields(*params, where + ".params", errors, origins);

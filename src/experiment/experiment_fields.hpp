@@ -6,7 +6,7 @@
 namespace facet {
 
 template <>
-inline constexpr std::array<std::string_view, 3> enum_names<PoseScore>{"auto", "true", "false"};
+inline constexpr std::array<std::string_view, 3> enum_names<PoseScoring>{"auto", "true", "false"};
 template <>
 inline constexpr std::array<std::string_view, 4> enum_names<AblationDesign>{"leave_one_out", "one_in",
                                                                             "cumulative", "factorial"};

@@ -1,5 +1,6 @@
 #include "experiment/experiment_run.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <map>
 
@@ -10,6 +11,7 @@
 #include "experiment/environment.hpp"
 #include "experiment/timing_pass.hpp"
 #include "file/file_bytes.hpp"
+#include "method/stored_predictions.hpp"
 #include "record/metrics_summary.hpp"
 #include "report/timing_summary.hpp"
 
@@ -26,11 +28,7 @@ std::string config_hash(const Experiment& experiment, const RunOptions& options)
 /// What the experiment asks for and this version does not do.
 std::vector<std::string> unmet_wishes(const Experiment& experiment) {
   std::vector<std::string> notes;
-  const ScoreOptions& score = experiment.score;
-  if (score.surfaces || score.edges || score.objects || score.pose != PoseScore::off)
-    notes.push_back("not scored: no scorer in this version");
-  if (experiment.outputs.gallery > 0)
-    notes.push_back("no gallery: it needs scores, and there is no scorer in this version");
+  if (experiment.outputs.gallery > 0) notes.push_back("no gallery: it is not built in this version");
   return notes;
 }
 
@@ -46,6 +44,26 @@ std::vector<std::string> gaps_of(const PlannedDataset& planned) {
         fmt::format("data set {}: {}: {}", planned.spec.name, planned.data->frame_id(frame), shortfall));
   }
   return gaps;
+}
+
+/// Pose scores are wanted by themselves only where some truth has planes.
+ScoreGroups wanted_scores(const Experiment& experiment, const std::vector<FrameRow>& rows) {
+  const ScoreOptions& score = experiment.score;
+  const bool known = std::any_of(rows.begin(), rows.end(),
+                                 [](const FrameRow& row) { return row.score && row.score->annotated.poses; });
+  const bool poses = score.pose == PoseScoring::on || (score.pose == PoseScoring::automatic && known);
+  return {score.surfaces, score.edges, score.objects, poses};
+}
+
+/// Stored predictions that belong to no frame of the run's data sets.
+std::vector<std::string> extra_predictions(const MethodSpec& method, const Plan& plan) {
+  if (method.kind != "predictions" || method.folder.empty()) return {};
+  std::vector<std::string> ids, notes;
+  for (const PlannedDataset& planned : plan.datasets)
+    for (std::size_t i = 0; i < planned.data->size(); ++i) ids.push_back(planned.data->frame_id(i));
+  for (const std::string& id : predictions_without_frame(method, ids))
+    notes.push_back(fmt::format("method {}: prediction without a frame: {}", method.name, escaped_utf8(id)));
+  return notes;
 }
 
 std::vector<std::string> printable_all(const std::vector<std::string>& texts) {
@@ -130,6 +148,8 @@ void ExperimentRun::note_gaps() {
   for (const PlannedDataset& planned : plan_.datasets) {
     for (std::string& gap : gaps_of(planned)) manifest_.notes.push_back(std::move(gap));
   }
+  for (const MethodSpec& method : experiment_.methods)
+    for (std::string& extra : extra_predictions(method, plan_)) manifest_.notes.push_back(std::move(extra));
 }
 
 void ExperimentRun::publish_lock(const DataLock& lock) {
@@ -146,7 +166,8 @@ void ExperimentRun::publish_metrics() {
   for (const FrameRow& row : rows_) lines += to_json_line(row);
   directory_.publish("frames.jsonl", lines);
   directory_.publish("metrics/frames.csv", frames_csv(rows_));
-  directory_.publish("metrics/summary.json", metrics_summary_json(manifest_, rows_));
+  directory_.publish("metrics/summary.json",
+                     metrics_summary_json(manifest_, rows_, wanted_scores(experiment_, rows_)));
 }
 
 void ExperimentRun::time_methods(const AccuracyPass& pass) {

@@ -6,6 +6,7 @@
 #include "file/file_bytes.hpp"
 #include "overlay/overlay.hpp"
 #include "prediction/prediction_io.hpp"
+#include "score/frame_score.hpp"
 
 namespace facet {
 namespace {
@@ -60,10 +61,13 @@ std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t inde
   row.config_hash = identity_.config_hash;
   row.build = identity_.build;
   row.status = FrameStatus::data_error;
+  row.is_sequence = data.is_sequence();
   Prediction prediction;
   Frame frame;
+  std::optional<FrameTruth> truth;
   try {
     frame = data.load(index);
+    truth = truth_of(data, index, frame, row);
     row.input_hash = data_lock_.input_hash(frame);
     const auto done = finished_.find({row.dataset, row.frame, row.method});
     const bool finished = done != finished_.end() && done->second.input_hash == row.input_hash;
@@ -73,8 +77,10 @@ std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t inde
     StageTimes times;
     method.process(frame, prediction, times);
     if (finished) return {done->second, true};
+    if (truth) row.score = score_frame(*truth, prediction, predicted_parts(unit, prediction));
   } catch (const std::exception& e) {
     row.reason = escaped_utf8(e.what());
+    if (row.status == FrameStatus::method_error && truth) row.score = score_missing_prediction(*truth);
     return {row, false};
   }
   row.status = FrameStatus::ok;
@@ -84,6 +90,26 @@ std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t inde
   describe(prediction, row);
   write_outputs(frame, prediction, row);
   return {row, false};
+}
+
+std::optional<FrameTruth> FrameWork::truth_of(const Dataset& data, std::size_t index, Frame& frame,
+                                              FrameRow& row) const {
+  const ScoreOptions& wanted = experiment_.score;
+  if (!wanted.surfaces && !wanted.edges && !wanted.objects && wanted.pose == PoseScoring::off) return {};
+  std::optional<FrameAnnotation> annotation = data.annotation(index, frame);
+  if (!annotation) return {};
+  row.truth_source = escaped_utf8(annotation->source);
+  frame.files.insert(frame.files.end(), annotation->files.begin(), annotation->files.end());
+  if (!annotation->truth) return frame_truth(annotation->object_masks, frame.depth_m);
+  return frame_truth(*annotation->truth, annotation->object_masks, frame.depth_m,
+                     std::move(annotation->poses));
+}
+
+/// The pipeline says what it yields by its parameters; of other methods the prediction shows it.
+PredictedParts FrameWork::predicted_parts(const Unit& unit, const Prediction& prediction) const {
+  const MethodSpec& spec = experiment_.methods[unit.method];
+  if (spec.kind != "pipeline") return parts_of(prediction);
+  return {.edges = true, .poses = spec.params.pose.enabled, .grasps = parts_of(prediction).grasps};
 }
 
 void FrameWork::write_outputs(Frame& frame, const Prediction& prediction, FrameRow& row) {

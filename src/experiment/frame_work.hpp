@@ -13,6 +13,7 @@
 #include "method/method.hpp"
 #include "record/frame_row.hpp"
 #include "record/timing_row.hpp"
+#include "score/frame_score.hpp"
 
 namespace facet {
 
@@ -47,6 +48,10 @@ class FrameWork {
  private:
   using Key = std::tuple<std::string, std::string, std::string>;
 
+  /// The truth of the frame, where scores are wanted and it has one; notes where it is from.
+  std::optional<FrameTruth> truth_of(const Dataset& data, std::size_t index, Frame& frame,
+                                     FrameRow& row) const;
+  PredictedParts predicted_parts(const Unit& unit, const Prediction& prediction) const;
   void write_outputs(Frame& frame, const Prediction& prediction, FrameRow& row);
 
   const Experiment& experiment_;

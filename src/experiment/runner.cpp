@@ -22,14 +22,19 @@ Plan check_experiment(const Experiment& experiment, const RunOptions& options) {
   return make_plan(experiment, options);
 }
 
-RunOutcome run_experiment(const RunOptions& options, RunObserver& observer,
+RunOutcome run_experiment(const Experiment& experiment, const RunOptions& options, RunObserver& observer,
                           const std::atomic<int>& stop_signal) {
   // Parallelism is over frames, and a timed run uses the threads it reports: OpenCV adds none of its own.
   cv::setNumThreads(1);
-  const LoadedExperiment loaded = load_experiment(options.config_file, options.overrides);
-  const auto threads = static_cast<std::size_t>(std::max(options.jobs, loaded.experiment.timing.threads));
+  const auto threads = static_cast<std::size_t>(std::max(options.jobs, experiment.timing.threads));
   const tbb::global_control parallelism(tbb::global_control::max_allowed_parallelism, threads);
-  return ExperimentRun(loaded.experiment, options, observer, stop_signal).execute();
+  return ExperimentRun(experiment, options, observer, stop_signal).execute();
+}
+
+RunOutcome run_experiment(const RunOptions& options, RunObserver& observer,
+                          const std::atomic<int>& stop_signal) {
+  return run_experiment(load_experiment(options.config_file, options.overrides).experiment, options, observer,
+                        stop_signal);
 }
 
 Report render_report(const std::filesystem::path& run_directory) {

@@ -22,6 +22,9 @@ struct RunOutcome {
 /// ends it at the next frame, so that `resume` completes it later. Failed frames do not throw; they decide
 /// the exit code. Throws Error{config} for sections that are not built, Error{not_measured} for a back end
 /// that is not there.
+RunOutcome run_experiment(const Experiment& experiment, const RunOptions& options, RunObserver& observer,
+                          const std::atomic<int>& stop_signal);
+/// The same for the experiment file that the options name.
 RunOutcome run_experiment(const RunOptions& options, RunObserver& observer,
                           const std::atomic<int>& stop_signal);
 

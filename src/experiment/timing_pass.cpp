@@ -101,7 +101,7 @@ Timings run_timing_pass(const Experiment& experiment, const Plan& plan, const Fr
   for (const PlannedDataset& planned : plan.datasets) {
     for (const MethodSpec& spec : experiment.methods) {
       const auto frames = frames_to_time(planned, spec.name, keys);
-      if (frames.empty() || stop_signal != 0) continue;
+      if (frames.empty() || stop_signal != 0 || !find_method_kind(spec).computes_here) continue;
       const auto proceed = [&](std::size_t runs) {
         observer.on_timed(spec.name + " on " + planned.data->name(), done += runs, planned_runs);
         return stop_signal == 0;

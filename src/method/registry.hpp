@@ -22,11 +22,15 @@ struct MethodContext {
 struct MethodKind {
   std::string_view name;
   std::string_view doc;  ///< one line
+  bool computes_here;    ///< its times are measured; otherwise it has none
   std::unique_ptr<Method> (*make)(const MethodSpec& spec, const MethodContext& context);
 };
 
 /// Every kind, in the order they are listed.
 std::span<const MethodKind> method_kinds();
+
+/// Throws Error{config} where no kind has that name.
+const MethodKind& find_method_kind(const MethodSpec& spec);
 
 /// Throws Error{config} for an unknown kind or a parameter out of range.
 std::unique_ptr<Method> make_method(const MethodSpec& spec, const MethodContext& context);

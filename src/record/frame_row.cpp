@@ -1,11 +1,14 @@
 #include "record/frame_row.hpp"
 
 #include <array>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "core/error.hpp"
 #include "record/csv.hpp"
+#include "record/score_json.hpp"
+#include "score/metrics.hpp"
 
 namespace facet {
 namespace {
@@ -26,6 +29,7 @@ void visit_row(Row& row, Visitor&& visit) {
   visit("frame", row.frame);
   visit("method", row.method);
   visit("status", row.status);
+  visit("is_sequence", row.is_sequence);
   visit("reason", row.reason);
   visit("config_hash", row.config_hash);
   visit("input_hash", row.input_hash);
@@ -42,6 +46,16 @@ void visit_row(Row& row, Visitor&& visit) {
   visit("curved", row.curved);
   visit("rejected", row.rejected);
   visit("pictures", row.pictures);
+  visit("truth_source", row.truth_source);
+  visit("score", row.score);
+}
+
+/// The value of a metric in one frame; empty where it has none.
+std::string value_text(const FrameRow& row, const Metric& metric) {
+  if (!row.score || !metric.is_annotated(*row.score)) return {};
+  if (!row.score->failed && !metric.is_predicted(*row.score)) return {};
+  const std::optional<double> value = metric.value(metric.sums(*row.score));
+  return value ? fmt::format("{:.6g}", *value) : std::string();
 }
 
 }  // namespace
@@ -59,6 +73,8 @@ std::string to_json_line(const FrameRow& row) {
   visit_row(row, [&](const char* key, const auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, FrameStatus>)
       json[key] = std::string(status_name(value));
+    else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<FrameScore>>)
+      json[key] = value ? Json(score_to_json(*value)) : Json(nullptr);
     else
       json[key] = value;
   });
@@ -72,7 +88,9 @@ FrameRow frame_row_from_json(std::string_view line) {
     visit_row(row, [&](const char* key, auto& value) {
       if constexpr (std::is_same_v<std::decay_t<decltype(value)>, FrameStatus>)
         value = status_from(json.at(key).get<std::string>());
-      else
+      else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<FrameScore>>) {
+        if (!json.at(key).is_null()) value = score_from_json(json.at(key));
+      } else
         json.at(key).get_to(value);
     });
   } catch (const nlohmann::json::exception& e) {
@@ -82,9 +100,11 @@ FrameRow frame_row_from_json(std::string_view line) {
 }
 
 std::string frames_csv(const std::vector<FrameRow>& rows) {
-  std::string text = csv_line({"dataset", "frame", "method", "status", "reason", "width_px", "height_px",
-                               "missing_px", "labelled_px", "depth_edge_px", "convex_edge_px",
-                               "concave_edge_px", "surfaces", "posed", "curved", "rejected"});
+  CsvRow header({"dataset", "frame", "method", "status", "reason", "width_px", "height_px", "missing_px",
+                 "labelled_px", "depth_edge_px", "convex_edge_px", "concave_edge_px", "surfaces", "posed",
+                 "curved", "rejected", "truth_source"});
+  for (const Metric& metric : score_metrics()) header.push_back(metric.name);
+  std::string text = csv_line(header);
   for (const FrameRow& r : rows) {
     int rejected = 0;
     for (const auto& [reason, count] : r.rejected) rejected += count;
@@ -95,6 +115,8 @@ std::string frames_csv(const std::vector<FrameRow>& rows) {
           r.convex_edge_px, r.concave_edge_px, std::int64_t{r.surfaces}, std::int64_t{r.posed},
           std::int64_t{r.curved}, std::int64_t{rejected}})
       fields.push_back(ok ? std::to_string(count) : "");
+    fields.push_back(r.truth_source);
+    for (const Metric& metric : score_metrics()) fields.push_back(value_text(r, metric));
     text += csv_line(fields);
   }
   return text;

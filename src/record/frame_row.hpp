@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "score/frame_score.hpp"
 
 namespace facet {
 
@@ -22,10 +25,11 @@ struct FrameRow {
   std::string frame;
   std::string method;
   FrameStatus status = FrameStatus::ok;
-  std::string reason;       ///< why it failed, or why it has no surface
-  std::string config_hash;  ///< of the resolved experiment
-  std::string input_hash;   ///< SHA-256 over what was read
-  std::string build;        ///< commit of the program, "-dirty" where it had changes
+  bool is_sequence = false;  ///< one of consecutive frames
+  std::string reason;        ///< why it failed, or why it has no surface
+  std::string config_hash;   ///< of the resolved experiment
+  std::string input_hash;    ///< SHA-256 over what was read
+  std::string build;         ///< commit of the program, "-dirty" where it had changes
   int width_px = 0;
   int height_px = 0;
   std::int64_t missing_px = 0;   ///< without depth
@@ -38,6 +42,8 @@ struct FrameRow {
   int curved = 0;                       ///< surfaces that one plane does not explain
   std::map<std::string, int> rejected;  ///< dropped regions by reason
   std::vector<std::string> pictures;    ///< paths relative to the run directory
+  std::string truth_source;             ///< where its truth is from; empty: it is not annotated
+  std::optional<FrameScore> score;      ///< of annotated frames that could be read
 };
 
 /// Order of the published rows: data set, frame, method.

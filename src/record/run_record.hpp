@@ -8,6 +8,7 @@
 
 #include "record/frame_row.hpp"
 #include "record/manifest.hpp"
+#include "record/metrics_summary.hpp"
 #include "record/timing_row.hpp"
 
 namespace facet {
@@ -24,6 +25,7 @@ struct Calibration {
 struct RunRecord {
   Manifest manifest;
   std::vector<FrameRow> frames;
+  std::vector<ScoreResult> scores;
   TimingTable timing;
   std::vector<IoTime> io_times;
   std::optional<Calibration> calibration;

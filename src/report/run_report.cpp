@@ -71,9 +71,9 @@ ReportSection provenance_section(const RunRecord& run) {
 Report make_run_report(const RunRecord& run) {
   Report report;
   report.title = "Facet: " + run.manifest.experiment;
-  report.sections = {summary_section(run),   timing_section(run),  surfaces_section(run),
-                     failures_section(run),  picture_section(run), timing_detail_section(run),
-                     provenance_section(run)};
+  report.sections = {summary_section(run),      detection_section(run),     timing_section(run),
+                     surfaces_section(run),     failures_section(run),      picture_section(run),
+                     score_detail_section(run), timing_detail_section(run), provenance_section(run)};
   return report;
 }
 

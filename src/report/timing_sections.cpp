@@ -141,7 +141,7 @@ ReportTable io_table(const RunRecord& run) {
   }
   table.notes.push_back(
       fmt::format("Frames are decoded before their timed runs; outputs were written in the "
-                  "accuracy pass, {} frames at a time. Nothing was scored.",
+                  "accuracy pass, {} frames at a time.",
                   run.manifest.jobs));
   return table;
 }

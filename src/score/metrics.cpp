@@ -11,6 +11,10 @@ std::vector<Metric> all_metrics() {
   add_region_metrics(list);
   add_edge_metrics(list);
   add_grasp_metrics(list);
+  for (Metric& metric : list.metrics)
+    for (const char* name : {"hoover_over_0.8", "hoover_under_0.8", "hoover_missed_0.8", "hoover_noise_0.8",
+                             "object_leakage"})
+      if (metric.name == name) metric.less_is_better = true;
   return std::move(list.metrics);
 }
 

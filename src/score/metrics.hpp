@@ -28,6 +28,7 @@ struct Metric {
   PredictedParts needs_prediction;
   MetricRule rule = MetricRule::proportion;
   std::function<MetricSums(const FrameScore&)> sums;
+  bool less_is_better = false;  ///< a perfect prediction has 0, otherwise 1
 
   /// Nothing where the denominator is 0.
   std::optional<double> value(const MetricSums& sums_of_frames) const;

@@ -55,7 +55,7 @@ PoseError pose_error(const TruePose& truth, const SurfacePose& estimate) {
           .normal_deg = angle_deg(truth.plane->normal, z_axis(estimate)),
           .offset_m = std::abs(along),
           .lateral_m = norm(off - along * truth.plane->normal),
-          .rotation_deg = rotation_deg(truth.pose().quaternion_wxyz, estimate.quaternion_wxyz)};
+          .rotation_deg = rotation_deg(pose_of(truth).quaternion_wxyz, estimate.quaternion_wxyz)};
 }
 
 PoseScore score_poses(const FrameTruth& frame, const RegionComparison& comparison,

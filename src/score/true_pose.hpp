@@ -1,21 +1,14 @@
 #pragma once
 
-#include <optional>
-
 #include "surface/pose.hpp"
+#include "truth/true_pose.hpp"
 
 namespace facet {
 
-/// Where a surface of the truth really is, from the geometry of a synthetic scene or a known model; camera
-/// frame.
-struct TruePose {
-  int surface = 0;             ///< TruthSurface::number
-  std::optional<Plane> plane;  ///< flat surfaces; normal towards the camera
-  Vec3 centroid_m;             ///< mean of the visible points
-
-  /// The pose that a perfect method finds: on the plane, by the convention of pose_on_plane(). Flat surfaces
-  /// only.
-  SurfacePose pose() const { return pose_on_plane(*plane, centroid_m); }
-};
+/// The pose that a perfect method finds: on the plane, by the convention of pose_on_plane(). Flat surfaces
+/// only.
+inline SurfacePose pose_of(const TruePose& truth) {
+  return pose_on_plane(*truth.plane, truth.centroid_m);
+}
 
 }  // namespace facet

@@ -102,7 +102,7 @@ void add_grasp(const FrameTruth& frame, int index, Surface& surface) {
 SurfacePose pose_of(const FrameTruth& frame, int number) {
   for (const TruePose& pose : frame.poses) {
     if (pose.surface != number) continue;
-    if (pose.plane) return pose.pose();
+    if (pose.plane) return pose_of(pose);
     SurfacePose estimate;
     estimate.centre_m = pose.centroid_m;
     return estimate;

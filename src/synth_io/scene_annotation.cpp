@@ -78,6 +78,13 @@ Truth truth_of(const SceneTruth& scene, const Rendering& exact) {
   return truth;
 }
 
+std::vector<TruePose> true_poses(const SceneTruth& scene) {
+  std::vector<TruePose> poses;
+  for (const TrueFace& face : scene.faces)
+    poses.push_back({static_cast<int>(poses.size()) + 1, face.plane, face.centroid_m});
+  return poses;
+}
+
 std::string geometry_text(const SceneTruth& scene, const PlannedPicture& picture) {
   Json faces = Json::array(), objects = Json::array();
   int number = 0;

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
-#include <set>
 
 #include "core/error.hpp"
 #include "file/file_bytes.hpp"
-#include "file/image_file.hpp"
 #include "synth_io/benchmark_folder.hpp"
 #include "synth_io/checksums.hpp"
 #include "truth/annotation.hpp"
+#include "truth/frame_annotation.hpp"
 
 namespace facet {
 namespace {
@@ -38,38 +36,21 @@ Size declared_size(const std::string& text) {
   return {number("imageWidth"), number("imageHeight")};
 }
 
-/// Groups of the annotation without a pixel in the mask.
-std::set<int> groups_not_in(const Truth& truth, const cv::Mat& mask) {
-  std::set<int> groups;
-  for (const TruthSurface& surface : truth.surfaces) groups.insert(surface.object);
-  for (const TruthEdge& edge : truth.edges) groups.insert(edge.object);
-  for (int y = 0; y < mask.rows && !groups.empty(); ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      groups.erase(mask.depth() == CV_16U ? mask.at<std::uint16_t>(y, x) : mask.at<std::uint8_t>(y, x));
-    }
-  }
-  return groups;
-}
-
 void validate_file(const fs::path& file, const fs::path& mask_file, ValidationReport& report) {
   const std::vector<std::uint8_t> bytes = read_file_bytes(file);
   const std::string text(bytes.begin(), bytes.end());
-  cv::Mat mask;
-  if (fs::exists(mask_file)) mask = read_image_file(mask_file).pixels;
-  if (mask.channels() != 1 || mask.depth() > CV_16U || mask.depth() == CV_8S)
-    throw Error(ErrorKind::data, printable(mask_file) + ": expected one channel of 8 or 16 bit integers");
-  const Size size = mask.empty() ? declared_size(text) : Size{mask.cols, mask.rows};
+  Image<std::uint16_t> masks;
+  if (fs::exists(mask_file)) masks = read_object_masks(mask_file);
+  const Size size = masks.empty() ? declared_size(text) : masks.size();
   const Annotation annotation = parse_annotation(text, size);
   for (const AnnotationProblem& problem : annotation.problems) {
     report.problems.push_back(
         printable(file) + ": " +
         (problem.shape ? "shape " + std::to_string(*problem.shape) + ": " : std::string()) + problem.rule);
   }
-  if (mask.empty()) return;
-  for (const int group : groups_not_in(annotation.truth, mask)) {
-    report.problems.push_back(printable(file) + ": group_id " + std::to_string(group) + " has no pixel in " +
-                              printable(mask_file.filename()));
-  }
+  if (masks.empty()) return;
+  for (const std::string& problem : mask_problems(annotation.truth, masks))
+    report.problems.push_back(printable(file) + ": " + problem);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ TruePose tilted(int surface, double degrees) {
 
 TEST(PoseScore, ATiltOfThreeDegreesIsMeasuredAsThreeDegrees) {
   const TruePose truth = tilted(1, 30);
-  SurfacePose estimate = tilted(1, 33).pose();
+  SurfacePose estimate = pose_of(tilted(1, 33));
   const PoseError error = pose_error(truth, estimate);
   EXPECT_NEAR(error.normal_deg, 3, 1e-4);
   EXPECT_NEAR(error.rotation_deg, 3, 1e-4);
@@ -27,7 +27,7 @@ TEST(PoseScore, ATiltOfThreeDegreesIsMeasuredAsThreeDegrees) {
 
 TEST(PoseScore, AShiftIsTakenApartAlongAndAcrossTheNormal) {
   const TruePose truth = tilted(1, 30);
-  SurfacePose estimate = truth.pose();
+  SurfacePose estimate = pose_of(truth);
   estimate.centre_m = estimate.centre_m + 0.004f * truth.plane->normal + Vec3{0.003f, 0, 0};
   const PoseError error = pose_error(truth, estimate);
   EXPECT_NEAR(error.offset_m, 0.004, 1e-6);
