@@ -45,6 +45,7 @@ const std::vector<StageTraffic> traffic{
     {StageId::contours, {{"default", 15}, {"paper", 16}, {"naive", 15}}},
     {StageId::validation, {{"default", 4}, {"paper", 4}, {"naive", 0}}},
     {StageId::pose, {{"default", 0}, {"paper", 0}, {"naive", 0}}},
+    {StageId::grasps, {{"default", 0}, {"paper", 0}, {"naive", 0}}},
 };
 
 constexpr Size sizes[]{{320, 240}, {640, 480}, {640, 576}, {1280, 720}};

@@ -63,6 +63,24 @@ void draw_pose(cv::Mat& panel, const Surface& surface, const Camera& camera, con
   }
 }
 
+bool is_drawable(ImagePoint p) {
+  return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+/// Two dots and a thin line.
+void draw_grasp(cv::Mat& panel, const Grasp& grasp, const PanelGeometry& geometry) {
+  const auto [a, b] = grasp.contacts_px;
+  if (!is_drawable(a) || !is_drawable(b)) return;
+  const cv::Point2d from = geometry.to_panel(a.x, a.y), to = geometry.to_panel(b.x, b.y);
+  for (const bool halo : {true, false}) {
+    const cv::Scalar color = halo ? cv::Scalar::all(255) : grasp_color;
+    draw_line(panel, from, to, color, halo ? 3 : 1);
+    for (const cv::Point2d& end : {from, to})
+      cv::circle(panel, fixed_point(end), (halo ? 4 : 3) << subpixel_bits, color, cv::FILLED, cv::LINE_AA,
+                 subpixel_bits);
+  }
+}
+
 }  // namespace
 
 cv::Mat draw_poses(const Frame& frame, const Prediction& prediction,
@@ -74,6 +92,8 @@ cv::Mat draw_poses(const Frame& frame, const Prediction& prediction,
     for (const Polyline& hole : surface.contour.holes)
       draw_closed(panel, hole, geometry, colors.at(surface.id), 1);
   }
+  for (const Surface& surface : prediction.surfaces)
+    if (!surface.grasps.empty()) draw_grasp(panel, surface.grasps.front(), geometry);
   for (const Surface& surface : prediction.surfaces)
     if (surface.pose) draw_pose(panel, surface, frame.camera, geometry);
   return panel;

@@ -10,9 +10,12 @@ namespace facet {
 inline const std::array<cv::Scalar, 3> axis_colors{cv::Scalar(50, 50, 235), cv::Scalar(60, 200, 50),
                                                    cv::Scalar(255, 110, 40)};
 
+/// Colour [BGR] of the contacts of a grasp and the line between them.
+inline const cv::Scalar grasp_color{40, 40, 40};
+
 /// Contours in the colours of their surfaces, with the projected axes of every pose: x red, y green, z blue
 /// (the normal, towards the camera). Their length is a share of the surface's size, the same for the three in
-/// space.
+/// space. Of every surface's grasps the best one.
 cv::Mat draw_poses(const Frame& frame, const Prediction& prediction, const std::map<int, cv::Scalar>& colors);
 
 }  // namespace facet

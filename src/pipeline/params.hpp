@@ -11,6 +11,7 @@
 #include "stage/temporal_average.hpp"
 #include "stage/wiener.hpp"
 #include "surface/contours.hpp"
+#include "surface/grasp.hpp"
 #include "surface/pose.hpp"
 #include "surface/validation.hpp"
 
@@ -32,6 +33,7 @@ struct PipelineParams {
   ContourParams contours;
   ValidationParams validation;
   PoseParams pose;
+  GraspParams grasp;
 };
 
 /// Throws Error{config} naming key, rule and value of the first parameter that is out of range.

@@ -110,6 +110,22 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("pose.min_inlier_mm", p.pose.min_inlier_mm, FieldInfo{"mm", 0, 1000, "inlier threshold, at least"});
   visit("pose.curved_below_share", p.pose.curved_below_share,
         FieldInfo{"", 0, 1, "a smaller inlier share means a curved surface"});
+
+  visit("grasp.enabled", p.grasp.enabled, FieldInfo{"", 0, 0, "find force-closure grasps on every surface"});
+  visit("grasp.friction", p.grasp.friction, FieldInfo{"", 0, 10, "Coulomb coefficient of the fingers"});
+  visit("grasp.finger_width_mm", p.grasp.finger_width_mm,
+        FieldInfo{"mm", 1, 1000, "least overlap of two edges, and room needed outside them"});
+  visit("grasp.max_opening_mm", p.grasp.max_opening_mm, FieldInfo{"mm", 0, 10000, "widest the jaw opens"});
+  visit("grasp.min_opening_mm", p.grasp.min_opening_mm,
+        FieldInfo{"mm", 0, 10000, "narrowest that is grasped"});
+  visit("grasp.line_tolerance_px", p.grasp.line_tolerance_px,
+        FieldInfo{"px", 0, 100, "most that a straight piece of an edge bends"});
+  visit("grasp.min_edge_px", p.grasp.min_edge_px,
+        FieldInfo{"px", 0, 1000, "shorter pieces have no sure direction"});
+  visit("grasp.clearance_mm", p.grasp.clearance_mm,
+        FieldInfo{"mm", 0, 1000, "what stands out of the surface by more blocks a finger"});
+  visit("grasp.most_per_surface", p.grasp.most_per_surface,
+        FieldInfo{"grasps", 1, 100, "the best ones are kept"});
 }
 
 }  // namespace facet

@@ -48,6 +48,7 @@ class PipelineBody {
       timed(result, StageId::contours, [&] { trace_contours(result); });
       timed(result, StageId::validation, [&] { validate_surfaces(result); });
       timed(result, StageId::pose, [&] { estimate_poses(result); });
+      timed(result, StageId::grasps, [&] { find_grasps(result); });
     });
   }
 
@@ -223,6 +224,13 @@ class PipelineBody {
       estimate_pose(input, params_.pose, pixels_.points[i], result.surfaces[i]);
   }
 
+  void find_grasps(FrameResult& result) {  // section 5: a graspable surface has a planar force-closure grasp
+    if (!params_.grasp.enabled) return;
+    const GraspInput input{
+        executor_.on_host(b_.depth), result.labels.view(), result.edges.view(), camera_, noise_, seed_};
+    for (Surface& surface : result.surfaces) grasps_.find(input, params_.grasp, surface);
+  }
+
   Executor& executor_;
   PipelineParams params_;
   DepthNoise noise_;
@@ -234,6 +242,7 @@ class PipelineBody {
   BasinMerging merging_;
   RegionNumbering numbering_;
   RegionPixels pixels_;
+  GraspFinder grasps_;
 };
 
 }  // namespace facet

@@ -20,8 +20,9 @@ enum class StageId {
   contours,
   validation,
   pose,
+  grasps,
 };
-inline constexpr int stage_count = 13;
+inline constexpr int stage_count = 14;
 
 struct StageName {
   StageId id;
@@ -30,7 +31,7 @@ struct StageName {
 };
 
 /// Table 3 of the paper has one Canny column although Canny runs twice, and no column for the temporal
-/// average and the contour separation; ours splits the first and adds the others.
+/// average, the contour separation and the grasps; ours splits the first and adds the others.
 inline constexpr std::array<StageName, stage_count> stage_names{{
     {StageId::temporal, "temporal", "Temporal"},
     {StageId::fill, "fill", "Fill"},
@@ -45,6 +46,7 @@ inline constexpr std::array<StageName, stage_count> stage_names{{
     {StageId::contours, "contours", "Contours"},
     {StageId::validation, "validation", "Validation"},
     {StageId::pose, "pose", "Pose"},
+    {StageId::grasps, "grasps", "Grasps"},
 }};
 
 constexpr int index_of(StageId id) {

@@ -64,6 +64,33 @@ void put_pose(FloatJson& object, const Surface& surface) {
                     {"rect_axis", to_json(pose.rect_axis)}};
 }
 
+bool is_finite(const Grasp& grasp) {
+  bool finite = is_finite(grasp.closing_axis) && std::isfinite(grasp.width_m) && std::isfinite(grasp.score);
+  for (const Vec3& contact : grasp.contacts_m) finite = finite && is_finite(contact);
+  for (const ImagePoint& p : grasp.contacts_px) finite = finite && std::isfinite(p.x) && std::isfinite(p.y);
+  return finite;
+}
+
+FloatJson to_json(const Grasp& grasp) {
+  FloatJson contacts_px = FloatJson::array();
+  for (const ImagePoint& p : grasp.contacts_px)
+    contacts_px.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+  return {{"contacts_m", {to_json(grasp.contacts_m[0]), to_json(grasp.contacts_m[1])}},
+          {"contacts_px", std::move(contacts_px)},
+          {"closing_axis", to_json(grasp.closing_axis)},
+          {"width_m", grasp.width_m},
+          {"score", grasp.score}};
+}
+
+void put_grasps(FloatJson& object, const Surface& surface) {
+  FloatJson grasps = FloatJson::array();
+  for (const Grasp& grasp : surface.grasps) {
+    if (!is_finite(grasp)) return put_null(object, "grasps", not_finite);
+    grasps.push_back(to_json(grasp));
+  }
+  object["grasps"] = std::move(grasps);
+}
+
 FloatJson to_json(const Contour& contour) {
   FloatJson holes = FloatJson::array();
   for (const Polyline& hole : contour.holes) holes.push_back(to_json(hole));
@@ -82,7 +109,8 @@ FloatJson to_json(const Surface& surface) {
   object["curved"] = surface.curved;
   put_pose(object, surface);
   object["graspable"] = surface.graspable;
-  object["grasps"] = FloatJson::array();
+  put_grasps(object, surface);
+  if (surface.object != 0) object["object"] = surface.object;
   object["contour"] = to_json(surface.contour);
   return object;
 }

@@ -50,6 +50,23 @@ SurfacePose read_pose(const JsonPlace& place) {
   return pose;
 }
 
+Grasp read_grasp(const JsonPlace& place) {
+  place.only({"contacts_m", "contacts_px", "closing_axis", "width_m", "score"});
+  const auto contacts_m = place.at("contacts_m").items(), contacts_px = place.at("contacts_px").items();
+  if (contacts_m.size() != 2) place.at("contacts_m").fail("expected 2 points");
+  if (contacts_px.size() != 2) place.at("contacts_px").fail("expected 2 points");
+  Grasp grasp;
+  for (std::size_t i = 0; i < 2; ++i) {
+    grasp.contacts_m[i] = read_vec3(contacts_m[i]);
+    const auto px = contacts_px[i].numbers<2>();
+    grasp.contacts_px[i] = {static_cast<double>(px[0]), static_cast<double>(px[1])};
+  }
+  grasp.closing_axis = read_vec3(place.at("closing_axis"));
+  grasp.width_m = place.at("width_m").number();
+  if (place.has("score")) grasp.score = place.at("score").number();
+  return grasp;
+}
+
 /// A number of the plane's fit; null is NaN where there is a plane, 0 where there is none.
 float read_fit_number(const JsonPlace& place, const Surface& surface) {
   if (!place.is_null()) return place.number();
@@ -71,7 +88,7 @@ void read_fit(const JsonPlace& place, Surface& surface) {
 Surface read_surface(const JsonPlace& place, Size size) {
   place.only({"id", "area_px", "parent", "children", "plane", "plane_reason", "inlier_share",
               "inlier_share_reason", "rms_m", "rms_m_reason", "curved", "pose", "pose_reason", "graspable",
-              "grasps", "contour", "object"});
+              "grasps", "grasps_reason", "contour", "object"});
   Surface surface;
   surface.id = place.at("id").integer();
   if (place.has("area_px")) surface.area_px = place.at("area_px").integer();
@@ -81,6 +98,9 @@ Surface read_surface(const JsonPlace& place, Size size) {
     for (const JsonPlace& child : place.at("children").items()) surface.children.push_back(child.integer());
   read_fit(place, surface);
   if (place.has("graspable")) surface.graspable = place.at("graspable").flag();
+  if (place.has("grasps") && !place.at("grasps").is_null())
+    for (const JsonPlace& grasp : place.at("grasps").items()) surface.grasps.push_back(read_grasp(grasp));
+  if (place.has("object")) surface.object = place.at("object").integer();
   if (place.has("contour")) surface.contour = read_contour(place.at("contour"), size);
   return surface;
 }

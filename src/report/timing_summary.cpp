@@ -59,8 +59,9 @@ void add_frame_statistics(TimingSummary& summary, const Samples& samples) {
 
 TimingSummary summarize(const TimingTable& table, const Samples& samples, const std::string& dataset,
                         const std::string& method) {
-  static constexpr std::array<std::string_view, 1> pose{"pose"};
+  static constexpr std::array<std::string_view, 1> pose{"pose"}, grasps{"grasps"};
   const auto pose_of = [&](const TimingSample& s) { return sum_of(s, table.stages, pose); };
+  const auto grasps_of = [&](const TimingSample& s) { return sum_of(s, table.stages, grasps); };
   TimingSummary summary;
   summary.dataset = dataset;
   summary.method = method;
@@ -81,8 +82,9 @@ TimingSummary summarize(const TimingTable& table, const Samples& samples, const 
   summary.total = statistics_of(steady, total);
   summary.warmup = statistics_of(warmup, total);
   summary.pose = statistics_of(steady, pose_of);
+  summary.grasps = statistics_of(steady, grasps_of);
   summary.total_without_pose =
-      statistics_of(steady, [&](const TimingSample& s) { return s.total_ms - pose_of(s); });
+      statistics_of(steady, [&](const TimingSample& s) { return s.total_ms - pose_of(s) - grasps_of(s); });
   summary.unattributed = statistics_of(steady, [](const TimingSample& s) {
     return s.total_ms - std::accumulate(s.stage_ms.begin(), s.stage_ms.end(), 0.0);
   });

@@ -26,8 +26,8 @@ struct TimingRowLayout {
   std::optional<PaperTime> paper;
 };
 
-/// The stage rows of Table 3 in its order, with the rows it lacks. Every stage of the pipeline stands in
-/// exactly one row that is not indented.
+/// The stage rows of Table 3 in its order, with the rows it lacks. Every stage of the pipeline
+/// before the poses stands in exactly one row that is not indented.
 std::span<const TimingRowLayout> table3_layout();
 
 inline constexpr std::array<double, 2> deadlines_ms{30.0, 33.3};
@@ -58,9 +58,10 @@ struct TimingSummary {
   std::vector<NamedTimes> layout;  ///< in the order of table3_layout()
   std::vector<NamedTimes> stages;  ///< every stage by its key
   TimeStatistics total;
-  TimeStatistics total_without_pose;
+  TimeStatistics total_without_pose;  ///< nor grasps: what the paper times
   TimeStatistics unattributed;
   TimeStatistics pose;
+  TimeStatistics grasps;
   std::optional<double> pose_per_surface_ms;  ///< pose time over posed surfaces, of all steady samples
   std::optional<double> first_ms;             ///< the very first run
   TimeStatistics warmup;

@@ -65,5 +65,35 @@ TEST(PosePanel, poses_that_cannot_be_drawn_are_left_out) {
   EXPECT_EQ(draw_poses(frame, prediction, white_contours).size(), without.size());
 }
 
+TEST(PosePanel, the_best_grasp_is_a_line_between_its_contacts) {
+  const Frame frame = example_frame(size);
+  Prediction prediction = half_prediction(size);
+  const cv::Mat without = draw_poses(frame, prediction, white_contours);
+  prediction.surfaces[0].grasps.resize(2);
+  prediction.surfaces[0].grasps[0].contacts_px = {ImagePoint{36, 40}, ImagePoint{60, 40}};
+  prediction.surfaces[0].grasps[1].contacts_px = {ImagePoint{36, 8}, ImagePoint{60, 8}};
+  const cv::Mat panel = draw_poses(frame, prediction, white_contours);
+  const PanelGeometry geometry(size);
+  const auto differs_at = [&](double x, double y) {
+    const cv::Point p(geometry.to_panel(x, y));
+    return panel.at<cv::Vec3b>(p) != without.at<cv::Vec3b>(p);
+  };
+  for (const double x : {36.0, 48.0, 60.0}) {
+    EXPECT_TRUE(differs_at(x, 40)) << x;
+    EXPECT_FALSE(differs_at(x, 8)) << x;
+  }
+  const cv::Point contact(geometry.to_panel(36, 40));
+  EXPECT_LT(cv::norm(cv::Scalar(panel.at<cv::Vec3b>(contact)) - grasp_color, cv::NORM_INF), 30);
+}
+
+TEST(PosePanel, grasps_that_cannot_be_drawn_are_left_out) {
+  const Frame frame = example_frame(size);
+  Prediction prediction = half_prediction(size);
+  const cv::Mat without = draw_poses(frame, prediction, white_contours);
+  prediction.surfaces[0].grasps.resize(1);
+  prediction.surfaces[0].grasps[0].contacts_px[1].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(cv::norm(without, draw_poses(frame, prediction, white_contours), cv::NORM_INF), 0);
+}
+
 }  // namespace
 }  // namespace facet

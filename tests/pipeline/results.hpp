@@ -39,6 +39,12 @@ inline void expect_equal_surfaces(const Surface& a, const Surface& b, const std:
     EXPECT_EQ(a.pose->zyx_deg, b.pose->zyx_deg) << what;
     EXPECT_EQ(a.pose->rect_axis, b.pose->rect_axis) << what;
   }
+  ASSERT_EQ(a.grasps.size(), b.grasps.size()) << what;
+  for (std::size_t i = 0; i < a.grasps.size(); ++i) {
+    EXPECT_EQ(a.grasps[i].contacts_m, b.grasps[i].contacts_m) << what;
+    EXPECT_EQ(a.grasps[i].contacts_px, b.grasps[i].contacts_px) << what;
+    EXPECT_EQ(a.grasps[i].score, b.grasps[i].score) << what;
+  }
 }
 
 /// Everything but the times, to the bit.

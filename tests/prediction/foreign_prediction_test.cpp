@@ -45,6 +45,43 @@ TEST_F(ForeignPrediction, may_list_surfaces_bare_and_only_some_of_them) {
   ASSERT_EQ(prediction.surfaces.size(), 2u);
   EXPECT_EQ(prediction.surfaces[0].id, 4);
   EXPECT_TRUE(prediction.surfaces[1].graspable);
+  EXPECT_EQ(prediction.surfaces[1].object, 2);
+}
+
+TEST_F(ForeignPrediction, may_give_grasps_without_a_score) {
+  write_surfaces(
+      R"([{"id": 4, "grasps": [{"contacts_m": [[0, 0, 1], [0.05, 0, 1]], "contacts_px": [[0, 1], [2.5, 1]],
+                      "closing_axis": [1, 0, 0], "width_m": 0.05}]}])");
+  const Prediction prediction = read();
+  ASSERT_EQ(prediction.surfaces[0].grasps.size(), 1u);
+  const Grasp& grasp = prediction.surfaces[0].grasps[0];
+  EXPECT_EQ(grasp.contacts_m[1], (Vec3{0.05f, 0, 1}));
+  EXPECT_EQ(grasp.contacts_px[1], (ImagePoint{2.5, 1}));
+  EXPECT_EQ(grasp.closing_axis, (Vec3{1, 0, 0}));
+  EXPECT_EQ(grasp.width_m, 0.05f);
+  EXPECT_EQ(grasp.score, 0);
+}
+
+TEST_F(ForeignPrediction, with_a_wrong_grasp_is_an_error_that_names_the_place) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {R"({})", "[0].grasps[0]: 'contacts_m' is missing"},
+      {R"({"contacts": 1})", "[0].grasps[0]: unknown name 'contacts'"},
+      {R"({"contacts_m": [[0, 0, 1]], "contacts_px": []})", "[0].grasps[0].contacts_m: expected 2 points"},
+      {R"({"contacts_m": [[0, 0, 1], [0, 0, 1]], "contacts_px": [[1, 2]]})",
+       "[0].grasps[0].contacts_px: expected 2 points"},
+      {R"({"contacts_m": [[0, 0, 1], [0, 0]], "contacts_px": [[1, 2], [3, 4]]})",
+       "[0].grasps[0].contacts_m[1]: expected 3 numbers"},
+      {R"({"contacts_m": [[0, 0, 1], [0, 0, 1]], "contacts_px": [[1, 2], [3, "4"]]})",
+       "[0].grasps[0].contacts_px[1][1]: expected a number"},
+      {R"({"contacts_m": [[0, 0, 1], [0, 0, 1]], "contacts_px": [[1, 2], [3, 4]], "closing_axis": [1, 0, 0]})",
+       "[0].grasps[0]: 'width_m' is missing"},
+  };
+  for (const auto& [grasp, part] : cases) {
+    write_surfaces(R"([{"id": 4, "grasps": [)" + grasp + "]}]");
+    expect_data_error(part);
+  }
+  write_surfaces(R"([{"id": 4, "grasps": 3}])");
+  expect_data_error("[0].grasps: expected a list");
 }
 
 TEST_F(ForeignPrediction, without_a_label_image_is_an_error) {

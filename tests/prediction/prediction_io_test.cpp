@@ -22,6 +22,13 @@ Surface planar_surface(int id, int area_px) {
   surface.rms_m = 0.0011f;
   surface.pose = SurfacePose{{0.1f, -0.3f, 1.1f}, {0.5f, 0.5f, -0.5f, 0.5f}, {90, -12.5f, 1e-7f}, {1, 0, 0}};
   surface.graspable = true;
+  surface.grasps = {
+      {{Vec3{0.1f, 0.2f, 0.9f}, Vec3{0.15f, 0.2f, 0.9f}},
+       {{{310.25, 40.5}, {333.0625, -0.5}}},
+       {1, 0, 0},
+       0.05f,
+       0.08f},
+      {{Vec3{0.1f, 0.2f, 0.9f}, Vec3{0.1f, 0.3f, 0.9f}}, {{{1, 2}, {3, 4}}}, {0, 1, 0}, 0.1f, 0.0123456789f}};
   return surface;
 }
 
@@ -41,6 +48,7 @@ Prediction example() {
   second.id = 300;
   second.area_px = 4;
   second.parent = 3;
+  second.object = 17;
   second.curved = true;
   second.touches_border = true;
   second.no_pose_reason = "too few points";
@@ -75,6 +83,15 @@ void expect_equal_surfaces(const Surface& a, const Surface& b) {
   EXPECT_EQ(a.no_pose_reason, b.no_pose_reason);
   EXPECT_EQ(a.touches_border, b.touches_border);
   EXPECT_EQ(a.graspable, b.graspable);
+  EXPECT_EQ(a.object, b.object);
+  ASSERT_EQ(a.grasps.size(), b.grasps.size());
+  for (std::size_t i = 0; i < a.grasps.size(); ++i) {
+    EXPECT_EQ(a.grasps[i].contacts_m, b.grasps[i].contacts_m);
+    EXPECT_EQ(a.grasps[i].contacts_px, b.grasps[i].contacts_px);
+    EXPECT_EQ(a.grasps[i].closing_axis, b.grasps[i].closing_axis);
+    EXPECT_EQ(a.grasps[i].width_m, b.grasps[i].width_m);
+    EXPECT_EQ(a.grasps[i].score, b.grasps[i].score);
+  }
   ASSERT_EQ(a.plane.has_value(), b.plane.has_value());
   ASSERT_EQ(a.pose.has_value(), b.pose.has_value());
   if (a.plane) {
@@ -139,16 +156,19 @@ TEST(PredictionIo, numbers_that_are_not_finite_become_null_with_a_reason) {
   Prediction prediction = example();
   prediction.surfaces[0].rms_m = std::nanf("");
   prediction.surfaces[0].pose->centre_m.y = std::numeric_limits<float>::infinity();
+  prediction.surfaces[0].grasps[1].contacts_px[0].x = std::nan("");
   write_prediction(prediction, folder.path() / "frame");
   const auto bytes = read_file_bytes(PredictionFiles(folder.path() / "frame").surfaces);
   const std::string text(bytes.begin(), bytes.end());
   EXPECT_NE(text.find("\"rms_m\":null,\"rms_m_reason\":\"not finite\""), std::string::npos) << text;
   EXPECT_NE(text.find("\"pose\":null,\"pose_reason\":\"not finite\""), std::string::npos) << text;
+  EXPECT_NE(text.find("\"grasps\":null,\"grasps_reason\":\"not finite\""), std::string::npos) << text;
   EXPECT_NE(text.find("\"pose\":null,\"pose_reason\":\"too few points\""), std::string::npos) << text;
   EXPECT_NE(text.find("\"rms_m\":null,\"rms_m_reason\":\"no plane was fitted\""), std::string::npos) << text;
   const Prediction read = read_prediction(folder.path() / "frame");
   EXPECT_TRUE(std::isnan(read.surfaces[0].rms_m));
   EXPECT_EQ(read.surfaces[0].no_pose_reason, "not finite");
+  EXPECT_TRUE(read.surfaces[0].grasps.empty());
 }
 
 TEST(PredictionIo, text_that_is_not_utf8_does_not_stop_the_writer) {

@@ -226,7 +226,7 @@ TEST(EstimatePose, IsTheSameTwice) {
 
 TEST(EstimatePose, ASurfaceWithoutMeasuredPointsHasAReason) {
   OneSurface frame([](int x, int y) { return x < 10 && y < 10; }, [](float, float) { return 1.0f; });
-  frame.pixels.points[0].clear();
+  frame.pixels.points[0].resize(0);
   const Surface& surface = frame.estimate();
   EXPECT_FALSE(surface.pose);
   EXPECT_FALSE(surface.plane);
