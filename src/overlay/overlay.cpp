@@ -77,11 +77,13 @@ cv::Mat draw_overlay(const Frame& frame, const Prediction& prediction) {
   const cv::Mat top = side_by_side(
       {with_title(draw_color(frame), frame.color.empty() ? "Depth in grey (no colour)" : "Colour"),
        titled_depth(frame), titled_edges(frame, prediction)});
-  const cv::Mat bottom =
-      side_by_side({with_title(draw_surfaces(frame, prediction, colors), "Surfaces"),
-                    with_title(draw_poses(frame, prediction, colors), "Contours and poses",
-                               {{"x", axis_colors[0]}, {"y", axis_colors[1]}, {"z", axis_colors[2]}}),
-                    with_title(draw_summary(frame, prediction), "Summary")});
+  const cv::Mat bottom = side_by_side({with_title(draw_surfaces(frame, prediction, colors), "Surfaces"),
+                                       with_title(draw_poses(frame, prediction, colors), "Contours and poses",
+                                                  {{"x", axis_colors[0]},
+                                                   {"y", axis_colors[1]},
+                                                   {"z", axis_colors[2]},
+                                                   {"best grasp", grasp_color}}),
+                                       with_title(draw_summary(frame, prediction), "Summary")});
   cv::Mat picture;
   cv::vconcat(top, bottom, picture);
   cv::copyMakeBorder(picture, picture, 0, 0, 0, margin_px, cv::BORDER_CONSTANT, cv::Scalar::all(255));

@@ -30,10 +30,10 @@ std::string edge_line(const Image<std::uint8_t>& edges) {
 
 std::string surface_line(const std::vector<Surface>& surfaces) {
   const auto count = [&](auto&& has) { return std::count_if(surfaces.begin(), surfaces.end(), has); };
-  return fmt::format("{} surfaces: {} with a pose, {} curved, {} graspable", surfaces.size(),
+  return fmt::format("{} surfaces: {} with a pose, {} with a grasp, {} curved", surfaces.size(),
                      count([](const Surface& s) { return s.pose.has_value(); }),
-                     count([](const Surface& s) { return s.curved; }),
-                     count([](const Surface& s) { return s.graspable; }));
+                     count([](const Surface& s) { return !s.grasps.empty(); }),
+                     count([](const Surface& s) { return s.curved; }));
 }
 
 }  // namespace

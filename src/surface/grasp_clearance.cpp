@@ -9,7 +9,7 @@ bool GraspClearance::is_free_outside(const PlanarContact& contact, double finger
                                      double gap_px) const {
   const double step_m = std::max(pixel_m(), finger_width_m / 8);
   const Vec2 along = left_of(contact.inward);
-  for (double out = gap_px * pixel_m(); out <= finger_width_m; out += step_m)
+  for (double out = gap_px * pixel_m(contact); out <= finger_width_m; out += step_m)
     for (double side = -finger_width_m / 2; side <= finger_width_m / 2; side += step_m)
       if (at(contact.point - out * contact.inward + side * along) != Found::nothing) return false;
   return true;
@@ -33,6 +33,14 @@ GraspClearance::Found GraspClearance::at(Vec2 p) const {
   if (!(z > 0)) return Found::nothing;
   const Vec3 seen = frame.camera().back_project(static_cast<float>(x), static_cast<float>(y), z);
   return frame.plane().signed_distance_m(seen) > standoff_m ? Found::obstacle : Found::nothing;
+}
+
+/// Length on the plane that a pixel covers across the contact's edge: more where the plane is seen askew.
+double GraspClearance::pixel_m(const PlanarContact& contact) const {
+  const auto image = [&](Vec2 p) { return image_of(frame.camera(), frame.to_space(p)); };
+  const Vec2 outside = contact.point - pixel_m() * contact.inward;
+  const double moved_px = norm(image(outside) - image(contact.point));
+  return pixel_m() / std::max(moved_px, 0.1);
 }
 
 double GraspClearance::pixel_m() const {

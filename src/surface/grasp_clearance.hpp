@@ -23,7 +23,8 @@ struct GraspClearance {
  private:
   enum class Found { nothing, surface, obstacle };
   Found at(Vec2 p) const;
-  double pixel_m() const;
+  double pixel_m(const PlanarContact& contact) const;
+  double pixel_m() const;  ///< where the plane faces the camera
 };
 
 }  // namespace facet

@@ -21,7 +21,7 @@ TEST(SummaryPanel, tells_what_was_found) {
                                           "",
                                           "64 x 48 px, fx 64.0 px",
                                           "depth 1.00 to 1.00 m, 25.0 % missing",
-                                          "1 surfaces: 1 with a pose, 0 curved, 0 graspable",
+                                          "1 surfaces: 1 with a pose, 0 with a grasp, 0 curved",
                                           "edge pixels: 2 depth, 0 convex, 1 concave",
                                           "3 regions dropped",
                                           "    sliver: 1",
