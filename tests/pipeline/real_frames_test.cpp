@@ -9,8 +9,12 @@ namespace facet {
 namespace {
 
 std::unique_ptr<Dataset> osd() {
-  return open_osd(
-      {.name = "osd", .reader = "osd", .root = real_data_root() / "osd", .frames = {}, .options = {}});
+  return open_osd({.name = "osd",
+                   .reader = "osd",
+                   .root = real_data_root() / "osd",
+                   .frames = {},
+                   .annotations = {},
+                   .options = {}});
 }
 
 int labelled_pixels(const FrameResult& result) {
@@ -34,6 +38,26 @@ TEST(RealFrames, TheDefaultPipelineFindsAHandfulOfSurfacesInEveryOsdFrame) {
     int posed = 0;
     for (const Surface& surface : result.surfaces) posed += surface.pose.has_value();
     EXPECT_GE(posed, 0.9 * static_cast<double>(result.surfaces.size())) << frame.id;
+  }
+}
+
+TEST(RealFrames, AGripperOf10CmHasSeveralGraspsInEveryOsdFrame) {
+  FACET_REQUIRE_DATA("osd");
+  const auto data = osd();
+  for (std::size_t i = 0; i < data->size(); ++i) {
+    const Frame frame = data->load(i);
+    FrameResult result;
+    make_cpu_pipeline({}, 1)->process({frame.depth_m.view(), frame.camera}, result);
+    int taken = 0;
+    for (const Surface& surface : result.surfaces) {
+      taken += !surface.grasps.empty();
+      for (const Grasp& grasp : surface.grasps) {
+        EXPECT_GE(grasp.width_m, 0.005f) << frame.id << ", surface " << surface.id;
+        EXPECT_LE(grasp.width_m, 0.1f) << frame.id << ", surface " << surface.id;
+        EXPECT_NEAR(norm(grasp.closing_axis), 1, 1e-5f) << frame.id << ", surface " << surface.id;
+      }
+    }
+    EXPECT_GE(taken, 3) << frame.id;
   }
 }
 
