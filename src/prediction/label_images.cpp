@@ -110,7 +110,7 @@ void complete_surfaces(const std::filesystem::path& path, Prediction& prediction
     surface.id = id;
     surface.area_px = pixels.area_px;
     surface.touches_border = pixels.touches_border;
-    surface.no_pose_reason = "not provided";
+    surface.no_pose_reason = pose_not_provided;
     prediction.surfaces.push_back(surface);
   }
   std::sort(prediction.surfaces.begin(), prediction.surfaces.end(),

@@ -9,6 +9,9 @@
 
 namespace facet {
 
+/// Reason of an absent pose where the prediction says nothing of poses.
+inline constexpr const char* pose_not_provided = "not provided";
+
 /// What a method yields for one frame: the meeting place of methods, files and scores.
 struct Prediction {
   Image<std::uint16_t> labels;  ///< 0 = no surface, k = the surface with id k

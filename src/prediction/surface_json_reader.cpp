@@ -81,7 +81,7 @@ void read_fit(const JsonPlace& place, Surface& surface) {
   if (place.has("pose") && !place.at("pose").is_null()) {
     surface.pose = read_pose(place.at("pose"));
   } else {
-    surface.no_pose_reason = place.has("pose_reason") ? place.at("pose_reason").text() : "not provided";
+    surface.no_pose_reason = place.has("pose_reason") ? place.at("pose_reason").text() : pose_not_provided;
   }
 }
 

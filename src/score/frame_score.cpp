@@ -25,7 +25,8 @@ void score_surfaces(const FrameTruth& frame, const Prediction& prediction, Frame
 PredictedParts parts_of(const Prediction& prediction) {
   const std::vector<Surface>& s = prediction.surfaces;
   const auto speaks_of_poses = [](const Surface& surface) {
-    return surface.pose.has_value() || !surface.no_pose_reason.empty();
+    return surface.pose.has_value() ||
+           (!surface.no_pose_reason.empty() && surface.no_pose_reason != pose_not_provided);
   };
   return {.edges = !prediction.edges.empty(),
           .poses = std::any_of(s.begin(), s.end(), speaks_of_poses),

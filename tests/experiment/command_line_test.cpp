@@ -29,7 +29,7 @@ TEST_F(CommandLine, ARunOverWholeFramesExitsZeroAndPrintsTimesSurfacesAndPaths) 
   EXPECT_THAT(result.out, HasSubstr("Morphology"));
   EXPECT_THAT(result.out, HasSubstr("paper, GTX 1070, other data"));
   EXPECT_THAT(result.out, HasSubstr("Surfaces found on small"));
-  EXPECT_THAT(result.out, HasSubstr("not scored: no scorer in this version"));
+  EXPECT_THAT(result.out, HasSubstr("Not scored: no frame has truth."));
   EXPECT_THAT(result.out, HasSubstr("run directory: out/exp/"));
   EXPECT_THAT(result.err, HasSubstr("frames: 6 of 6"));
 }
