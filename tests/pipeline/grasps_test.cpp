@@ -57,7 +57,9 @@ TEST(Grasps, ABoxIsTakenAcrossBothWidthsOfItsTop) {
 
 TEST(Grasps, AJawThatIsTooSmallTakesOnlyTheNarrowSideOrNothing) {
   const SceneObject box = turned(make_box({0.09, 0.06, 0.08}), 20);
-  const auto on_top = [&](float opening_mm) { return OneObject(box, with_jaw(opening_mm)).grasps_on("box, top"); };
+  const auto on_top = [&](float opening_mm) {
+    return OneObject(box, with_jaw(opening_mm)).grasps_on("box, top");
+  };
   ASSERT_EQ(on_top(75).size(), 1u);
   EXPECT_NEAR(on_top(75)[0].width_m, 0.06, 0.004);
   EXPECT_TRUE(on_top(50).empty());
