@@ -109,7 +109,8 @@ std::optional<FrameTruth> FrameWork::truth_of(const Dataset& data, std::size_t i
 PredictedParts FrameWork::predicted_parts(const Unit& unit, const Prediction& prediction) const {
   const MethodSpec& spec = experiment_.methods[unit.method];
   if (spec.kind != "pipeline") return parts_of(prediction);
-  return {.edges = true, .poses = spec.params.pose.enabled, .grasps = parts_of(prediction).grasps};
+  const bool poses = spec.params.pose.enabled;
+  return {.edges = true, .poses = poses, .grasps = poses && spec.params.grasp.enabled};
 }
 
 void FrameWork::write_outputs(Frame& frame, const Prediction& prediction, FrameRow& row) {
