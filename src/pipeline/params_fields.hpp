@@ -68,6 +68,8 @@ void visit_fields(Params& p, Visitor&& visit) {
         FieldInfo{"deg", 0, 180, "basins: smaller changes are noise of the fits"});
   visit("cd.rise_deg", p.cd.rise_deg,
         FieldInfo{"deg", 0, 180, "basins: least rise of a border over its sides"});
+  visit("cd.smooth_deg", p.cd.smooth_deg,
+        FieldInfo{"deg", 0, 180, "basins: borders that turn by less may lie on a smooth curved surface"});
   visit("cd.fit_ratio", p.cd.fit_ratio,
         FieldInfo{"", 0, 1000, "basins: least F ratio of two planes over one"});
   visit("cd.high_deg", p.cd.high_deg, FieldInfo{"deg", 0, 180, "upper threshold on the change of direction"});

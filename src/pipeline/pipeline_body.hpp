@@ -165,7 +165,8 @@ class PipelineBody {
                                    executor_.on_host(b_.strength),
                                    executor_.on_host(b_.distance),
                                    params_.cd.depth_guard_px};
-    merging_.merge(landscape, MergeCriteria{params_.cd.rise_deg, params_.cd.fit_ratio}, noise_, regions_);
+    merging_.merge(landscape, MergeCriteria{params_.cd.rise_deg, params_.cd.smooth_deg, params_.cd.fit_ratio},
+                   noise_, regions_);
     executor_.upload(std::as_const(regions_).view(), b_.root.view());
     region_borders(executor_, b_.root.view(), b_.crease_edge.view());
   }

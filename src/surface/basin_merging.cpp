@@ -14,31 +14,12 @@ constexpr double pixels_per_reading = 20;
 /// A border known along fewer pixels than this says nothing by itself; the fits decide.
 constexpr double min_known_border_px = 3;
 
+/// Crease strength of an angle.
+float chord_of(float deg) {
+  return 2 * std::sin(deg / 2 / 57.29578f);
+}
+
 }  // namespace
-
-void PlaneMoments::add(double px, double py, double pq) {
-  n += 1, x += px, y += py, q += pq;
-  xx += px * px, xy += px * py, yy += py * py;
-  xq += px * pq, yq += py * pq, qq += pq * pq;
-}
-
-PlaneMoments& PlaneMoments::operator+=(const PlaneMoments& o) {
-  n += o.n, x += o.x, y += o.y, q += o.q;
-  xx += o.xx, xy += o.xy, yy += o.yy;
-  xq += o.xq, yq += o.yq, qq += o.qq;
-  return *this;
-}
-
-double PlaneMoments::residual() const {
-  if (n < 4) return 0;
-  const double mx = x / n, my = y / n, mq = q / n;
-  const double sxx = xx - n * mx * mx, sxy = xy - n * mx * my, syy = yy - n * my * my;
-  const double sxq = xq - n * mx * mq, syq = yq - n * my * mq, sqq = qq - n * mq * mq;
-  const double det = sxx * syy - sxy * sxy;
-  if (det < 1e-9 * n) return std::max(0.0, sqq);
-  const double a = (sxq * syy - syq * sxy) / det, b = (syq * sxx - sxq * sxy) / det;
-  return std::max(0.0, sqq - a * sxq - b * syq);
-}
 
 int BasinMerging::find(int i) {
   auto at = [&](int k) -> int& { return basins_[static_cast<std::size_t>(k)].parent; };
@@ -120,17 +101,28 @@ float BasinMerging::rise_of(const Border& border) const {
 }
 
 bool BasinMerging::is_crease(const Border& border) const {
-  const float least_rise = 2 * std::sin(criteria_.rise_deg / 2 / 57.29578f);
   const bool known = border.strength_count >= min_known_border_px;
-  if (known && rise_of(border) < least_rise) return false;
-  const PlaneMoments& a = basins_[static_cast<std::size_t>(border.a)].moments;
-  const PlaneMoments& b = basins_[static_cast<std::size_t>(border.b)].moments;
-  PlaneMoments both = a;
+  if (known && rise_of(border) < chord_of(criteria_.rise_deg)) return false;
+  const bool may_be_smooth =
+      known && border.strength_sum / border.strength_count < chord_of(criteria_.smooth_deg);
+  return needs_two_patches(basins_[static_cast<std::size_t>(border.a)].moments,
+                           basins_[static_cast<std::size_t>(border.b)].moments, may_be_smooth);
+}
+
+/// One patch has three parameters less than the two: a plane less than two planes, a quadric less than a
+/// plane beside a quadric. A smooth curved surface needs no border although no plane explains it; there what
+/// two patches gain must be no more than what noise gives them.
+bool BasinMerging::needs_two_patches(const PatchMoments& a, const PatchMoments& b, bool may_be_smooth) const {
+  PatchMoments both = a;
   both += b;
-  const double gain = both.residual() - a.residual() - b.residual();
-  const double q = both.q / both.n;  // mean inverse depth; noise of q = noise of z times q^2
+  const double q = both.mean_q();  // noise of q = noise of z times q^2
   const double sigma = noise_.sigma_m(static_cast<float>(1 / q)) * q * q;
-  return gain / 3 / (sigma * sigma * pixels_per_reading) >= criteria_.fit_ratio;
+  const double gain_of_noise = 3 * sigma * sigma * pixels_per_reading;
+  const double plane_a = a.plane_residual(), plane_b = b.plane_residual();
+  if (both.plane_residual() - plane_a - plane_b < criteria_.fit_ratio * gain_of_noise) return false;
+  if (!may_be_smooth) return true;
+  const double apart = std::min(plane_a + b.quadric_residual(), plane_b + a.quadric_residual());
+  return both.quadric_residual() - apart >= gain_of_noise;
 }
 
 bool BasinMerging::merge_round() {

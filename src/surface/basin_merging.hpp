@@ -5,19 +5,9 @@
 
 #include "core/depth_noise.hpp"
 #include "core/image.hpp"
+#include "surface/patch_fit.hpp"
 
 namespace facet {
-
-/// Sums of a plane fit of inverse depth, q = c + a x + b y, over the pixels of a region; two regions' sums
-/// add up. x, y [px] relative to the image centre, q [1/m].
-struct PlaneMoments {
-  double n = 0, x = 0, y = 0, q = 0, xx = 0, xy = 0, yy = 0, xq = 0, yq = 0, qq = 0;
-
-  void add(double px, double py, double pq);
-  PlaneMoments& operator+=(const PlaneMoments& other);
-  /// Sum of squared residuals of the least-squares plane [1/m^2].
-  double residual() const;
-};
 
 /// The over-segmentation into basins and what it was made from.
 struct BasinLandscape {
@@ -30,10 +20,12 @@ struct BasinLandscape {
 };
 
 /// When a border between two regions is a crease: it must rise above the strength inside both of them, and
-/// two planes must explain the pixels better than one.
+/// two patches must explain the pixels better than one: better than one plane and, where the border turns by
+/// little enough for a smooth surface, better than one quadric.
 struct MergeCriteria {
   float rise_deg = 10;
-  float fit_ratio = 10;  ///< (residual of one plane - of two) / 3 over the noise of one independent reading
+  float smooth_deg = 45;
+  float fit_ratio = 10;  ///< (residual of one patch - of two) / 3 over the noise of one independent reading
 };
 
 /// Merges basins across borders that are no creases, so that noise, texture and the even curvature of a
@@ -53,7 +45,7 @@ class BasinMerging {
     int merged_in = 0;        ///< last round in which it changed
     double strength_sum = 0;  ///< over pixels where it is known
     double strength_count = 0;
-    PlaneMoments moments;
+    PatchMoments moments;
   };
   struct Border {
     int a = 0, b = 0;        ///< a < b
@@ -70,6 +62,7 @@ class BasinMerging {
   int find(int i);
   float rise_of(const Border& border) const;
   bool is_crease(const Border& border) const;
+  bool needs_two_patches(const PatchMoments& a, const PatchMoments& b, bool may_be_smooth) const;
 
   std::vector<Basin> basins_;
   std::vector<Border> borders_;

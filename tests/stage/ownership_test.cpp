@@ -70,7 +70,7 @@ TEST(Ownership, GivesAPixelToTheNeighbourNearestInDepth) {
   EXPECT_EQ(given_back(depth, label)(1, 0), 2);
 }
 
-TEST(Ownership, DecidesTiesForTheNearerNeighbourAndThenForTheLowerLabel) {
+TEST(Ownership, DecidesTiesForTheNearerNeighbourAndThenForTheFirstClockwiseFromTheNorth) {
   const auto depth = make_image<float>({3, 1}, [](int x, int) {
     return x == 0 ? 1.0078125f : x == 1 ? 1.0f : 0.9921875f;
   });
@@ -78,7 +78,12 @@ TEST(Ownership, DecidesTiesForTheNearerNeighbourAndThenForTheLowerLabel) {
     return x == 0 ? 1 : x == 1 ? 0 : 2;
   });
   EXPECT_EQ(given_back(depth, label)(1, 0), 2);
-  EXPECT_EQ(given_back(Image<float>(Size{3, 1}, 1.0f), label)(1, 0), 1);
+  const Image<float> level(Size{3, 1}, 1.0f);
+  EXPECT_EQ(given_back(level, label)(1, 0), 2) << "the east comes before the west";
+  const auto mirrored = make_image<std::uint16_t>({3, 1}, [](int x, int) {
+    return x == 0 ? 2 : x == 1 ? 0 : 1;
+  });
+  EXPECT_EQ(given_back(level, mirrored)(1, 0), 1);
 }
 
 TEST(Ownership, LeavesPixelsAloneThatStandApartFromEverySurface) {
