@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/run.hpp"
+
 namespace facet {
 namespace {
 
@@ -32,8 +34,9 @@ void BasinMerging::collect_basins(const BasinLandscape& l) {
   basins_.clear();
   index_.assign(static_cast<std::size_t>(l.basin.size().area()), -1);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const std::int32_t name = l.basin(x, y);
+    for (int begin = 0, end = 0; begin < width; begin = end) {
+      const std::int32_t name = l.basin(begin, y);
+      end = end_of_run(l.basin.row(y), begin + 1, width, name);
       if (name < 0) continue;
       std::int32_t& index = index_[static_cast<std::size_t>(name)];
       if (index < 0) {
@@ -41,10 +44,14 @@ void BasinMerging::collect_basins(const BasinLandscape& l) {
         basins_.push_back({index, name, 0, 0, 0, {}});
       }
       Basin& basin = basins_[static_cast<std::size_t>(index)];
-      basin.moments.add(x - 0.5 * width, y - 0.5 * height, l.inverse_depth_unit * l.inverse_depth(x, y));
-      if (l.distance_px(x, y) <= l.guard_px) continue;
-      basin.strength_sum += l.strength(x, y);
-      basin.strength_count += 1;
+      const std::int32_t* q = l.inverse_depth.row(y) + begin;
+      basin.moments.add_run(begin - 0.5 * width, y - 0.5 * height, end - begin,
+                            [&](int k) { return l.inverse_depth_unit * q[k]; });
+      for (int x = begin; x < end; ++x) {
+        if (l.distance_px(x, y) <= l.guard_px) continue;
+        basin.strength_sum += l.strength(x, y);
+        basin.strength_count += 1;
+      }
     }
 }
 

@@ -10,6 +10,10 @@
 namespace facet {
 namespace {
 
+void add(PatchMoments& moments, double x_px, double y_px, double q) {
+  moments.add_run(x_px, y_px, 1, [q](int) { return q; });
+}
+
 /// Residual of the least-squares fit with the first `terms` of 1, x, y, x^2, xy, y^2 by Eigen's
 /// decomposition.
 double residual_by_eigen(const std::vector<Eigen::Vector3d>& points, int terms) {
@@ -38,7 +42,7 @@ TEST(PatchMoments, ResidualsAreThoseOfEigensLeastSquares) {
       const double noise = 0.006 * (random_uniform(seed, 5, i) - 0.5);
       const double q = 1.2 + 1e-3 * x - 5e-4 * y + 2e-6 * x * y + 1e-6 * x * x + noise;
       points.emplace_back(x, y, q);
-      moments.add(x, y, q);
+      add(moments, x, y, q);
     }
     const double plane = residual_by_eigen(points, 3), quadric = residual_by_eigen(points, 6);
     EXPECT_NEAR(moments.plane_residual(), plane, 1e-6 * plane) << "seed " << seed;
@@ -51,8 +55,8 @@ TEST(PatchMoments, TheSumsOfTwoPartsAreThoseOfTheWhole) {
   PatchMoments whole, left, right;
   for (int i = 0; i < 50; ++i) {
     const double x = i % 7, y = i / 7, q = 1 + 0.01 * x + 0.001 * i * i;
-    whole.add(x, y, q);
-    (i < 20 ? left : right).add(x, y, q);
+    add(whole, x, y, q);
+    add(i < 20 ? left : right, x, y, q);
   }
   left += right;
   EXPECT_NEAR(left.plane_residual(), whole.plane_residual(), 1e-9);
@@ -61,18 +65,28 @@ TEST(PatchMoments, TheSumsOfTwoPartsAreThoseOfTheWhole) {
   EXPECT_NEAR(left.mean_q(), whole.mean_q(), 1e-12);
 }
 
+TEST(PatchMoments, ARunIsItsPixelsOneByOne) {
+  PatchMoments run, pixels;
+  const auto q_at = [](int k) { return 1.1 + 0.01 * k * k; };
+  run.add_run(-7.5, 30.5, 20, q_at);
+  for (int k = 0; k < 20; ++k) add(pixels, -7.5 + k, 30.5, q_at(k));
+  EXPECT_EQ(run.count(), 20);
+  EXPECT_NEAR(run.plane_residual(), pixels.plane_residual(), 1e-12);
+  EXPECT_NEAR(run.quadric_residual(), pixels.quadric_residual(), 1e-12);
+}
+
 TEST(PatchMoments, FewPixelsAndExactPatchesLeaveNothing) {
   PatchMoments few;
   for (const auto& [x, y, q] : {std::tuple{0.0, 0.0, 1.0}, {3.0, 1.0, 2.0}, {-2.0, 5.0, 0.5}}) {
-    few.add(x, y, q);
+    add(few, x, y, q);
     EXPECT_EQ(few.plane_residual(), 0);
     EXPECT_EQ(few.quadric_residual(), 0);
   }
   PatchMoments plane, bowl;
   for (int i = 0; i < 100; ++i) {
     const double x = i % 10, y = i / 10;
-    plane.add(x, y, 1 + 0.02 * x - 0.01 * y);
-    bowl.add(x, y, 1 + 0.02 * x + 0.003 * x * x - 0.002 * y * y);
+    add(plane, x, y, 1 + 0.02 * x - 0.01 * y);
+    add(bowl, x, y, 1 + 0.02 * x + 0.003 * x * x - 0.002 * y * y);
   }
   EXPECT_NEAR(plane.plane_residual(), 0, 1e-9);
   EXPECT_NEAR(plane.quadric_residual(), 0, 1e-9);
@@ -82,7 +96,7 @@ TEST(PatchMoments, FewPixelsAndExactPatchesLeaveNothing) {
 
 TEST(PatchMoments, PointsOnALineAreAllowed) {
   PatchMoments moments;
-  for (int i = 0; i < 10; ++i) moments.add(i, 2 * i, 1);
+  for (int i = 0; i < 10; ++i) add(moments, i, 2 * i, 1);
   EXPECT_NEAR(moments.plane_residual(), 0, 1e-9);
   EXPECT_NEAR(moments.quadric_residual(), 0, 1e-9);
 }
