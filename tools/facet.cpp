@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compare_commands.hpp"
 #include "core/error.hpp"
 #include "facet_commands.hpp"
 
@@ -200,8 +201,11 @@ int main(int argc, char** argv) {
   add_scoring(app, arguments);
   add_synth(app, arguments);
   add_others(app, arguments);
+  std::function<int()> chosen;
+  add_compare_commands(app, chosen);
   try {
     app.parse(argc, argv);
+    if (chosen) return chosen();
     return dispatch(app, arguments);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;

@@ -42,18 +42,6 @@ void stop_on_signals() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-std::shared_ptr<spdlog::logger> make_log(const Voice& voice) {
-  const auto mode = voice.color == "always"  ? spdlog::color_mode::always
-                    : voice.color == "never" ? spdlog::color_mode::never
-                                             : spdlog::color_mode::automatic;
-  auto log = spdlog::stderr_color_mt("facet", mode);
-  log->set_pattern("%^%l%$: %v");
-  log->set_level(voice.quiet     ? spdlog::level::err
-                 : voice.verbose ? spdlog::level::debug
-                                 : spdlog::level::info);
-  return log;
-}
-
 /// Runs, then prints the report, or how to go on after an interruption.
 template <class Run>
 int finish_run(const Voice& voice, const Run& run) {
@@ -100,6 +88,18 @@ void print_plan(const facet::Experiment& experiment, const facet::Plan& plan) {
 }
 
 }  // namespace
+
+std::shared_ptr<spdlog::logger> make_log(const Voice& voice) {
+  const auto mode = voice.color == "always"  ? spdlog::color_mode::always
+                    : voice.color == "never" ? spdlog::color_mode::never
+                                             : spdlog::color_mode::automatic;
+  auto log = spdlog::stderr_color_mt("facet", mode);
+  log->set_pattern("%^%l%$: %v");
+  log->set_level(voice.quiet     ? spdlog::level::err
+                 : voice.verbose ? spdlog::level::debug
+                                 : spdlog::level::info);
+  return log;
+}
 
 int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_run) {
   if (dry_run) {

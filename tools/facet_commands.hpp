@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <spdlog/logger.h>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,8 @@ struct Voice {
   bool no_progress = false;
   std::string color = "auto";
 };
+/// The log on stderr.
+std::shared_ptr<spdlog::logger> make_log(const Voice& voice);
 
 // The commands: each writes its result to stdout and returns the exit code; errors are thrown as
 // facet::Error.

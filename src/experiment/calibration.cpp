@@ -20,18 +20,29 @@ cv::Mat fixed_image() {
 
 }  // namespace
 
+struct CalibrationBlock::Images {
+  cv::Mat input = fixed_image();
+  cv::Mat blurred, gradient, filtered;
+};
+
+CalibrationBlock::CalibrationBlock() : images_(std::make_unique<Images>()) {}
+
+CalibrationBlock::~CalibrationBlock() = default;
+
+double CalibrationBlock::run_ms() {
+  Images& images = *images_;
+  const auto start = std::chrono::steady_clock::now();
+  cv::GaussianBlur(images.input, images.blurred, {5, 5}, 1.2);
+  cv::Sobel(images.blurred, images.gradient, CV_32F, 1, 0, 3);
+  cv::medianBlur(images.input, images.filtered, 5);
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 Calibration measure_calibration() {
   constexpr int repeats = 31;
-  const cv::Mat image = fixed_image();
-  cv::Mat blurred, gradient, filtered;
+  CalibrationBlock block;
   std::vector<double> ms;
-  for (int i = 0; i < repeats; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    cv::GaussianBlur(image, blurred, {5, 5}, 1.2);
-    cv::Sobel(blurred, gradient, CV_32F, 1, 0, 3);
-    cv::medianBlur(image, filtered, 5);
-    ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
+  for (int i = 0; i < repeats; ++i) ms.push_back(block.run_ms());
   std::sort(ms.begin(), ms.end());
   return {repeats, ms[repeats / 2], ms.front()};
 }

@@ -2,6 +2,7 @@
 
 #include <tbb/task_arena.h>
 
+#include "experiment/calibration.hpp"
 #include "experiment/frame_work.hpp"
 #include "file/file_bytes.hpp"
 #include "method/registry.hpp"
@@ -29,6 +30,12 @@ class MethodTimer {
     return frame;
   }
   void forget() { method_->reset_history(); }
+  /// Times the calibration block beside what is timed, so that ratios to it follow the load of the machine.
+  void calibrate(const std::string& frame_id) {
+    for (int i = 0; i < calibrations_at_once; ++i)
+      timings_.io_times.push_back(
+          {planned_.data->name(), escaped_utf8(frame_id), spec_.name, "calibration", block_.run_ms()});
+  }
   /// Run number `run` over a frame, warm-up runs first.
   void run(const Frame& frame, int run) {
     StageTimes times;
@@ -48,11 +55,14 @@ class MethodTimer {
   int runs() const { return options_.warmup + options_.repeats; }
 
  private:
+  static constexpr int calibrations_at_once = 3;
+
   const TimingOptions& options_;
   const PlannedDataset& planned_;
   const MethodSpec& spec_;
   Timings& timings_;
   std::unique_ptr<Method> method_;
+  CalibrationBlock block_;
   Prediction prediction_;
   bool first_ = true;
 };
@@ -60,16 +70,20 @@ class MethodTimer {
 void time_stills(MethodTimer& timer, const std::vector<std::size_t>& frames, const auto& proceed) {
   for (const std::size_t index : frames) {
     const Frame frame = timer.load(index);
+    // Before the warm-up, which refills the caches, and after the last run.
+    timer.calibrate(frame.id);
     for (int run = 0; run < timer.runs(); ++run) {
       timer.forget();
       timer.run(frame, run);
     }
+    timer.calibrate(frame.id);
     if (!proceed(static_cast<std::size_t>(timer.runs()))) return;
   }
 }
 
 void time_sequence(MethodTimer& timer, const std::vector<std::size_t>& frames, const auto& proceed) {
   for (int run = 0; run < timer.runs(); ++run) {
+    timer.calibrate("");
     timer.forget();
     for (const std::size_t index : frames) {
       timer.run(timer.load(index), run);

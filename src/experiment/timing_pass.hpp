@@ -15,7 +15,7 @@ namespace facet {
 /// What the timing pass measured.
 struct Timings {
   TimingTable table;
-  std::vector<IoTime> io_times;  ///< decoding
+  std::vector<IoTime> io_times;  ///< decoding, and the calibration block beside the timed runs
 };
 
 /// (data set, frame, method) as they stand in the rows.

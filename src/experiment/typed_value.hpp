@@ -31,7 +31,7 @@ template <class T>
 bool in_range(const T& value, const FieldInfo& info) {
   if constexpr (std::is_same_v<T, int>)
     return value >= info.min && value <= info.max && !(info.odd && value % 2 == 0);
-  if constexpr (std::is_same_v<T, float>) return value >= info.min && value <= info.max;
+  if constexpr (std::is_floating_point_v<T>) return value >= info.min && value <= info.max;
   return true;
 }
 
@@ -43,7 +43,7 @@ std::string expectation(const FieldInfo& info) {
     return "true or false";
   else if constexpr (std::is_same_v<T, int>)
     return fmt::format("an {}integer in [{}, {}]{}", info.odd ? "odd " : "", info.min, info.max, unit);
-  else if constexpr (std::is_same_v<T, float>)
+  else if constexpr (std::is_floating_point_v<T>)
     return fmt::format("a number in [{}, {}]{}", info.min, info.max, unit);
   else if constexpr (std::is_enum_v<T>)
     return fmt::format("one of {}", fmt::join(enum_names<T>, ", "));

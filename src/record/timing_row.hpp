@@ -29,7 +29,8 @@ struct TimingTable {
   std::vector<TimingSample> samples;
 };
 
-/// Time outside the method: `decode` of a frame, `write` of its outputs.
+/// Time outside the method: `decode` of a frame, `write` of its outputs, the `calibration` block between
+/// timed runs.
 struct IoTime {
   std::string dataset;
   std::string frame;
