@@ -11,6 +11,7 @@
 #include "compare_commands.hpp"
 #include "core/error.hpp"
 #include "facet_commands.hpp"
+#include "report_commands.hpp"
 
 namespace {
 
@@ -28,7 +29,6 @@ struct Arguments {
   facet::ScoreRequest score;
   SynthOptions synth;
   std::string list_what;
-  std::vector<std::string> run_directories;
 };
 
 void add_config_options(CLI::App& command, Arguments& a) {
@@ -135,8 +135,6 @@ void add_others(CLI::App& app, Arguments& a) {
       ->required()
       ->check(CLI::IsMember({"methods", "datasets", "stages", "metrics"}));
   add_data_root(*app.add_subcommand("doctor", "what this machine and this binary have"), a);
-  CLI::App* report = app.add_subcommand("report", "render stored runs again: report.md and report.html");
-  report->add_option("run", a.run_directories, "run directories")->required();
 }
 
 int dispatch(const CLI::App& app, Arguments& a) {
@@ -161,7 +159,6 @@ int dispatch(const CLI::App& app, Arguments& a) {
       throw facet::Error(facet::ErrorKind::usage, "synth: give --out DIR, or --dry-run");
     return command_synth(a.synth, a.voice);
   }
-  if (app.got_subcommand("report")) return command_report(a.run_directories);
   if (app.got_subcommand("list")) return command_list(a.list_what);
   if (app.got_subcommand("doctor")) return command_doctor(a.run.data_root);
   const CLI::App* dataset = app.get_subcommand("dataset");
@@ -203,6 +200,7 @@ int main(int argc, char** argv) {
   add_others(app, arguments);
   std::function<int()> chosen;
   add_compare_commands(app, chosen);
+  add_report_commands(app, chosen);
   try {
     app.parse(argc, argv);
     if (chosen) return chosen();

@@ -128,15 +128,6 @@ int command_selftest(const std::string& dataset, const std::optional<std::string
   return test.annotated > 0 ? 0 : 6;
 }
 
-int command_report(const std::vector<std::string>& run_directories) {
-  for (const std::string& directory : run_directories) {
-    const facet::Report report = facet::render_report(directory);
-    fmt::print("{}\nreport: {}\n", facet::render_console(report),
-               (std::filesystem::path(directory) / "report/report.html").string());
-  }
-  return 0;
-}
-
 int command_show_config(const std::string& file, const std::vector<std::string>& overrides) {
   fmt::print("{}", facet::write_config_with_origins(facet::load_experiment(file, overrides)));
   return 0;

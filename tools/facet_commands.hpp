@@ -29,7 +29,6 @@ int command_score(const facet::ScoreRequest& request, const facet::RunOptions& o
 /// Scores the truth of a data set as a prediction; 1 where that is not perfect.
 int command_selftest(const std::string& dataset, const std::optional<std::string>& data_root,
                      const std::optional<std::string>& annotations);
-int command_report(const std::vector<std::string>& run_directories);
 int command_show_config(const std::string& file, const std::vector<std::string>& overrides);
 int command_show_defaults();
 /// What `facet synth` is told.

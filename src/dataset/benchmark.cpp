@@ -101,6 +101,13 @@ class BenchmarkDataset : public ListedDataset {
     return has_frame_files(planned.id, folder) ? shortfall_of(planned.id, folder) : "";
   }
 
+  std::optional<FrameLevel> level(std::size_t index) const override {
+    const auto [part, planned] = planned_at(index);
+    if (part.set.vary == Vary::nothing) return std::nullopt;
+    const auto axis = static_cast<std::size_t>(part.set.vary) - 1;
+    return FrameLevel{vary_infos()[axis].name, planned.level};
+  }
+
   Frame load(std::size_t index) const override {
     const auto [part, planned] = planned_at(index);
     const std::filesystem::path folder = place_.folder / part.name;

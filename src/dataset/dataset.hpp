@@ -26,6 +26,12 @@ struct Frame {
   std::vector<std::filesystem::path> files;  ///< everything that was read, for the data lock
 };
 
+/// What a data set varies, and its value in one frame: "noise", 0.5.
+struct FrameLevel {
+  std::string axis;
+  double value = 0;
+};
+
 /// A data set: an ordered list of frames that are read one at a time. load() may be called from several
 /// threads.
 class Dataset {
@@ -43,6 +49,8 @@ class Dataset {
   virtual std::vector<std::string> absent() const { return {}; }
   /// What a frame that was loaded lacks of what was asked for: "17 of 20 objects found room"; else empty.
   virtual std::string shortfall(std::size_t) const { return {}; }
+  /// Where the frame stands on the axis that its set varies; nothing where that varies nothing.
+  virtual std::optional<FrameLevel> level(std::size_t) const { return {}; }
   /// Reads and checks one frame; throws Error{data} naming the file and the broken rule.
   virtual Frame load(std::size_t index) const = 0;
   /// What is known of the truth of a frame that was loaded; nothing where it is not annotated. Throws

@@ -9,11 +9,13 @@
 #include "experiment/calibration.hpp"
 #include "experiment/config_writer.hpp"
 #include "experiment/environment.hpp"
+#include "experiment/gallery_pictures.hpp"
 #include "experiment/timing_pass.hpp"
 #include "file/file_bytes.hpp"
 #include "method/stored_predictions.hpp"
 #include "record/metrics_summary.hpp"
 #include "report/timing_summary.hpp"
+#include "report/write_report.hpp"
 
 namespace facet {
 namespace {
@@ -23,13 +25,6 @@ std::string config_hash(const Experiment& experiment, const RunOptions& options)
   const std::string text = write_config(experiment) +
                            fmt::format("filter: {}\nlimit: {}\n", options.filter, options.limit.value_or(0));
   return sha256_hex({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
-
-/// What the experiment asks for and this version does not do.
-std::vector<std::string> unmet_wishes(const Experiment& experiment) {
-  std::vector<std::string> notes;
-  if (experiment.outputs.gallery > 0) notes.push_back("no gallery: it is not built in this version");
-  return notes;
 }
 
 /// What a data set lacks of what its description asks for; of its frames, those that were planned.
@@ -94,6 +89,7 @@ RunOutcome ExperimentRun::execute() {
   const bool stopped_early = options_.fail_fast && failed() > 0;
   if (stop_signal_ == 0) {
     publish_metrics();
+    publish_gallery();
     if (!stopped_early) time_methods(pass);
   }
   return finish(stopped_early);
@@ -125,7 +121,6 @@ void ExperimentRun::describe_run() {
   manifest_.timing_warmup = experiment_.timing.warmup;
   manifest_.timing_repeats = experiment_.timing.repeats;
   manifest_.timing_threads = experiment_.timing.threads;
-  manifest_.notes = unmet_wishes(experiment_);
   for (const PlannedDataset& planned : plan_.datasets)
     if (!planned.spec.root.empty())
       observer_.on_note(
@@ -170,6 +165,16 @@ void ExperimentRun::publish_metrics() {
                      metrics_summary_json(manifest_, rows_, wanted_scores(experiment_, rows_)));
 }
 
+void ExperimentRun::publish_gallery() {
+  if (experiment_.outputs.gallery == 0) return;
+  std::vector<GalleryEntry> entries =
+      worst_frames(rows_, GalleryRequest{}.metric, static_cast<std::size_t>(experiment_.outputs.gallery));
+  if (entries.empty()) return manifest_.notes.push_back("no gallery: no frame is scored by its surfaces");
+  for (std::string& problem : draw_gallery(experiment_, plan_, directory_.path(), entries))
+    manifest_.notes.push_back(std::move(problem));
+  directory_.publish("gallery/gallery.json", to_json(entries));
+}
+
 void ExperimentRun::time_methods(const AccuracyPass& pass) {
   const bool timed_before = std::filesystem::exists(directory_.path() / "timing/samples.csv");
   if (experiment_.timing.repeats == 0 || (timed_before && pass.new_rows() == 0)) return;
@@ -204,7 +209,7 @@ RunOutcome ExperimentRun::finish(bool stopped_early) {
                      : outcome.exit_code != 0 ? RunStatus::failed
                                               : RunStatus::complete;
   directory_.publish("manifest.json", to_json(manifest_));
-  if (stop_signal_ == 0) outcome.report = render_report(directory_.path());
+  if (stop_signal_ == 0) outcome.report = write_report(directory_.path(), {"md", "html", "tex"});
   return outcome;
 }
 

@@ -25,6 +25,7 @@ class ExperimentRun {
   int failed() const { return manifest_.frames_data_error + manifest_.frames_method_error; }
   void publish_lock(const DataLock& lock);
   void publish_metrics();
+  void publish_gallery();
   void time_methods(const AccuracyPass& pass);
   int exit_code(bool stopped_early) const;
   RunOutcome finish(bool stopped_early);

@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "experiment/dataset_truth.hpp"
 #include "experiment/run_directory.hpp"
 #include "file/file_bytes.hpp"
 #include "overlay/overlay.hpp"
@@ -62,6 +63,10 @@ std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t inde
   row.build = identity_.build;
   row.status = FrameStatus::data_error;
   row.is_sequence = data.is_sequence();
+  if (const std::optional<FrameLevel> level = data.level(index)) {
+    row.axis = level->axis;
+    row.level = level->value;
+  }
   Prediction prediction;
   Frame frame;
   std::optional<FrameTruth> truth;
@@ -96,13 +101,7 @@ std::optional<FrameTruth> FrameWork::truth_of(const Dataset& data, std::size_t i
                                               FrameRow& row) const {
   const ScoreOptions& wanted = experiment_.score;
   if (!wanted.surfaces && !wanted.edges && !wanted.objects && wanted.pose == PoseScoring::off) return {};
-  std::optional<FrameAnnotation> annotation = data.annotation(index, frame);
-  if (!annotation) return {};
-  row.truth_source = escaped_utf8(annotation->source);
-  frame.files.insert(frame.files.end(), annotation->files.begin(), annotation->files.end());
-  if (!annotation->truth) return frame_truth(annotation->object_masks, frame.depth_m);
-  return frame_truth(*annotation->truth, annotation->object_masks, frame.depth_m,
-                     std::move(annotation->poses));
+  return read_truth(data, index, frame, row.truth_source);
 }
 
 /// The pipeline says what it yields by its parameters; of other methods the prediction shows it.

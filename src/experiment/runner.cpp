@@ -6,9 +6,6 @@
 
 #include "core/error.hpp"
 #include "experiment/experiment_run.hpp"
-#include "file/file_bytes.hpp"
-#include "record/run_record.hpp"
-#include "report/run_report.hpp"
 
 namespace facet {
 
@@ -35,13 +32,6 @@ RunOutcome run_experiment(const RunOptions& options, RunObserver& observer,
                           const std::atomic<int>& stop_signal) {
   return run_experiment(load_experiment(options.config_file, options.overrides).experiment, options, observer,
                         stop_signal);
-}
-
-Report render_report(const std::filesystem::path& run_directory) {
-  const Report report = make_run_report(read_run(run_directory));
-  write_file_atomically(run_directory / "report/report.md", render_markdown(report));
-  write_file_atomically(run_directory / "report/report.html", render_html(report, run_directory));
-  return report;
 }
 
 }  // namespace facet

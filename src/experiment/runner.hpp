@@ -31,7 +31,4 @@ RunOutcome run_experiment(const RunOptions& options, RunObserver& observer,
 /// Throws as run_experiment() does where it could not start; nothing is written.
 Plan check_experiment(const Experiment& experiment, const RunOptions& options);
 
-/// Renders the report of a run directory again from its stored rows: report/report.md, report.html.
-Report render_report(const std::filesystem::path& run_directory);
-
 }  // namespace facet

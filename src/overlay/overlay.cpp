@@ -16,8 +16,6 @@
 namespace facet {
 namespace {
 
-constexpr int margin_px = 10;
-
 void check_sizes(const Frame& frame, const Prediction& prediction) {
   const Size size = frame.depth_m.size();
   const bool labels_fit = prediction.labels.size() == size;
@@ -31,6 +29,10 @@ void check_ids(const Prediction& prediction, const std::map<int, cv::Scalar>& co
     if (!colors.contains(surface.id))
       throw Error(ErrorKind::internal,
                   "surface " + std::to_string(surface.id) + " is not in the label image");
+}
+
+cv::Mat titled_color(const Frame& frame) {
+  return with_title(draw_color(frame), frame.color.empty() ? "Depth in grey (no colour)" : "Colour");
 }
 
 cv::Mat titled_depth(const Frame& frame) {
@@ -56,16 +58,8 @@ cv::Mat titled_edges(const Frame& frame, const Prediction& prediction) {
                      {"concave", color(EdgeKind::concave)}});
 }
 
-cv::Mat side_by_side(const std::vector<cv::Mat>& panels) {
-  std::vector<cv::Mat> row;
-  for (const cv::Mat& panel : panels) {
-    row.emplace_back();
-    cv::copyMakeBorder(panel, row.back(), 0, margin_px, margin_px, 0, cv::BORDER_CONSTANT,
-                       cv::Scalar::all(255));
-  }
-  cv::Mat joined;
-  cv::hconcat(row, joined);
-  return joined;
+cv::Mat titled_surfaces(const Frame& frame, const Prediction& prediction, const std::string& title) {
+  return with_title(draw_surfaces(frame, prediction, surface_colors(prediction.labels)), title);
 }
 
 }  // namespace
@@ -74,20 +68,25 @@ cv::Mat draw_overlay(const Frame& frame, const Prediction& prediction) {
   check_sizes(frame, prediction);
   const auto colors = surface_colors(prediction.labels);
   check_ids(prediction, colors);
-  const cv::Mat top = side_by_side(
-      {with_title(draw_color(frame), frame.color.empty() ? "Depth in grey (no colour)" : "Colour"),
-       titled_depth(frame), titled_edges(frame, prediction)});
-  const cv::Mat bottom = side_by_side({with_title(draw_surfaces(frame, prediction, colors), "Surfaces"),
-                                       with_title(draw_poses(frame, prediction, colors), "Contours and poses",
-                                                  {{"x", axis_colors[0]},
-                                                   {"y", axis_colors[1]},
-                                                   {"z", axis_colors[2]},
-                                                   {"best grasp", grasp_color}}),
-                                       with_title(draw_summary(frame, prediction), "Summary")});
-  cv::Mat picture;
-  cv::vconcat(top, bottom, picture);
-  cv::copyMakeBorder(picture, picture, 0, 0, 0, margin_px, cv::BORDER_CONSTANT, cv::Scalar::all(255));
-  return picture;
+  return panel_grid({{titled_color(frame), titled_depth(frame), titled_edges(frame, prediction)},
+                     {with_title(draw_surfaces(frame, prediction, colors), "Surfaces"),
+                      with_title(draw_poses(frame, prediction, colors), "Contours and poses",
+                                 {{"x", axis_colors[0]},
+                                  {"y", axis_colors[1]},
+                                  {"z", axis_colors[2]},
+                                  {"best grasp", grasp_color}}),
+                      with_title(draw_summary(frame, prediction), "Summary")}});
+}
+
+cv::Mat draw_comparison(const Frame& frame, const Prediction& prediction,
+                        const std::optional<Prediction>& truth) {
+  check_sizes(frame, prediction);
+  const cv::Mat known = truth
+                            ? titled_surfaces(frame, *truth, fmt::format("Truth: {}", truth->surfaces.size()))
+                            : titled_depth(frame);
+  return panel_grid(
+      {{titled_color(frame), titled_edges(frame, prediction)},
+       {titled_surfaces(frame, prediction, fmt::format("Surfaces: {}", prediction.surfaces.size())), known}});
 }
 
 void write_overlays(const Frame& frame, const Prediction& prediction,

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "dataset/dataset.hpp"
 #include "prediction/prediction.hpp"
@@ -13,7 +14,12 @@ namespace facet {
 /// images differ.
 cv::Mat draw_overlay(const Frame& frame, const Prediction& prediction);
 
-/// Writes that picture to `directory`/FRAME.png.
+/// The same in four panels, to see where a prediction is wrong: colour, edges, surfaces, and the surfaces of
+/// the truth where it is known (otherwise depth).
+cv::Mat draw_comparison(const Frame& frame, const Prediction& prediction,
+                        const std::optional<Prediction>& truth);
+
+/// Writes the first picture to `directory`/FRAME.png.
 void write_overlays(const Frame& frame, const Prediction& prediction, const std::filesystem::path& directory);
 
 }  // namespace facet

@@ -66,6 +66,27 @@ int draw_text(cv::Mat& image, const std::string& text, cv::Point corner, const c
   return text_width(text);
 }
 
+cv::Mat panel_grid(const std::vector<std::vector<cv::Mat>>& rows) {
+  constexpr int margin_px = 10;
+  const auto white_border = [](const cv::Mat& panel, int bottom, int left, int right) {
+    cv::Mat framed;
+    cv::copyMakeBorder(panel, framed, 0, bottom, left, right, cv::BORDER_CONSTANT, white);
+    return framed;
+  };
+  std::vector<cv::Mat> joined;
+  int width = 0;
+  for (const std::vector<cv::Mat>& row : rows) {
+    std::vector<cv::Mat> framed;
+    for (const cv::Mat& panel : row) framed.push_back(white_border(panel, 0, margin_px, 0));
+    cv::hconcat(framed, joined.emplace_back());
+    width = std::max(width, joined.back().cols);
+  }
+  for (cv::Mat& row : joined) row = white_border(row, margin_px, 0, width - row.cols + margin_px);
+  cv::Mat picture;
+  cv::vconcat(joined, picture);
+  return picture;
+}
+
 cv::Mat with_title(const cv::Mat& panel, const std::string& title, const std::vector<LegendEntry>& legend) {
   constexpr int swatch_px = 14, gap_px = 6, top_px = 9;
   const int width = std::max(panel.cols, static_cast<int>(panel_side_px));

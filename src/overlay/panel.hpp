@@ -41,4 +41,7 @@ inline constexpr int text_height_px = 18;  ///< of a line without spacing
 cv::Mat with_title(const cv::Mat& panel, const std::string& title,
                    const std::vector<LegendEntry>& legend = {});
 
+/// Panels in rows, white between them. All panels of a row have the same height.
+cv::Mat panel_grid(const std::vector<std::vector<cv::Mat>>& rows);
+
 }  // namespace facet

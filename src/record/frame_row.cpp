@@ -30,6 +30,8 @@ void visit_row(Row& row, Visitor&& visit) {
   visit("method", row.method);
   visit("status", row.status);
   visit("is_sequence", row.is_sequence);
+  visit("axis", row.axis);
+  visit("level", row.level);
   visit("reason", row.reason);
   visit("config_hash", row.config_hash);
   visit("input_hash", row.input_hash);

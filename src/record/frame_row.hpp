@@ -26,6 +26,8 @@ struct FrameRow {
   std::string method;
   FrameStatus status = FrameStatus::ok;
   bool is_sequence = false;  ///< one of consecutive frames
+  std::string axis;          ///< what its data set varies; empty: nothing
+  double level = 0;          ///< the value of that in this frame
   std::string reason;        ///< why it failed, or why it has no surface
   std::string config_hash;   ///< of the resolved experiment
   std::string input_hash;    ///< SHA-256 over what was read

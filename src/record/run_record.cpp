@@ -57,6 +57,8 @@ RunRecord read_run(const fs::path& directory) {
   run.frames = frame_rows_from_jsonl(read_text_if_any(directory / "frames.jsonl"));
   if (const std::string text = read_text_if_any(directory / "metrics/summary.json"); !text.empty())
     run.scores = score_results_from_json(text);
+  if (const std::string text = read_text_if_any(directory / "gallery/gallery.json"); !text.empty())
+    run.gallery = gallery_from_json(text);
   run.timing = timing_from_csv(read_text_if_any(directory / "timing/samples.csv"));
   run.io_times = io_times_from_csv(read_text_if_any(directory / "timing/io.csv"));
   try {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "record/frame_row.hpp"
+#include "record/gallery.hpp"
 #include "record/manifest.hpp"
 #include "record/metrics_summary.hpp"
 #include "record/timing_row.hpp"
@@ -28,6 +29,7 @@ struct RunRecord {
   std::vector<ScoreResult> scores;
   TimingTable timing;
   std::vector<IoTime> io_times;
+  std::vector<GalleryEntry> gallery;
   std::optional<Calibration> calibration;
   std::vector<std::pair<std::string, std::string>> environment;  ///< of env.json, nested keys joined by dots
 };

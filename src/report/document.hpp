@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "report/chart.hpp"
 
 namespace facet {
 
@@ -21,15 +24,24 @@ struct ReportPicture {
   std::filesystem::path file;  ///< relative to the run directory
 };
 
+/// A few numbers in large type: what a reader looks for first.
+struct ReportTile {
+  std::string title;
+  std::vector<std::pair<std::string, std::string>> values;  ///< what, how much
+};
+
 struct ReportSection {
   std::string title;
   std::vector<std::string> paragraphs;
   std::vector<ReportTable> tables;
   std::vector<ReportPicture> pictures;
   bool on_console = true;
+  std::vector<ReportTile> tiles{};    ///< HTML alone; the tables say the same
+  std::vector<ReportChart> charts{};  ///< HTML alone; what they show stands in tables and notes too
+  bool folded = false;                ///< HTML: closed at first
 };
 
-/// What a report says, before it takes the form of a console text, Markdown or HTML.
+/// What a report says, before it takes the form of a console text, Markdown, HTML, CSV or JSON.
 struct Report {
   std::string title;
   std::vector<ReportSection> sections;
@@ -39,5 +51,11 @@ std::string render_console(const Report& report);
 std::string render_markdown(const Report& report);
 /// One self-contained page; pictures are read below `run_directory` and embedded.
 std::string render_html(const Report& report, const std::filesystem::path& run_directory);
+/// Every cell of every table, one per line: section, table, row, column, value.
+std::string render_csv(const Report& report);
+/// Sections with their tables, charts and paths of pictures.
+std::string render_json(const Report& report);
+/// A table as a float with its caption; needs the package graphicx, which shrinks it to the line.
+std::string latex_table(const ReportTable& table);
 
 }  // namespace facet

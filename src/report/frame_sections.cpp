@@ -43,6 +43,7 @@ std::string empty_reason_note(const FrameRow& row) {
 ReportSection surfaces_section(const RunRecord& run) {
   ReportSection section;
   section.title = "Surfaces";
+  section.folded = true;
   for (const std::string& dataset : run.manifest.datasets) {
     ReportTable table = surfaces_of(run, dataset);
     for (const FrameRow& row : run.frames)

@@ -5,51 +5,11 @@
 #include "core/error.hpp"
 #include "file/file_bytes.hpp"
 #include "report/document.hpp"
+#include "report/markup.hpp"
+#include "report/page_style.hpp"
 
 namespace facet {
 namespace {
-
-constexpr std::string_view style = R"(
-:root { color-scheme: light dark; --line: #8884; --soft: #8881; --link: #2a6fb0; }
-* { box-sizing: border-box; }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 0 auto; padding: 1rem; }
-h1 { font-size: 1.5rem; margin: .5rem 0 1rem; } h2 { font-size: 1.15rem; margin: 2.2rem 0 .6rem; }
-.scroll { overflow-x: auto; margin: .6rem 0; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; }
-caption { text-align: left; font-weight: 600; padding: .4rem 0; }
-th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; } th { background: var(--soft); font-weight: 600; }
-th:first-child, td:first-child { position: sticky; left: 0; background: Canvas; }
-.words td { text-align: left; white-space: normal; overflow-wrap: anywhere; } .words th { text-align: left; }
-td.part { padding-left: 1.8rem; opacity: .75; }
-.note { font-size: .86rem; opacity: .8; margin: .2rem 0; max-width: 60rem; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr)); gap: 1rem; }
-figure { margin: 0; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px; }
-figcaption { font-size: .85rem; overflow-wrap: anywhere; }
-)";
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string base64(const std::vector<std::uint8_t>& bytes) {
   std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // EVP_EncodeBlock ends with a zero
@@ -70,35 +30,49 @@ std::string url_path(std::string_view path) {
   return url;
 }
 
-std::string cell(const std::string& text) {
-  if (text.starts_with("  ")) return fmt::format("<td class=part>{}</td>", escaped(text.substr(2)));
-  return fmt::format("<td>{}</td>", escaped(text));
-}
-
 /// Tables of names and sentences are left-aligned and may wrap; tables of numbers are not.
 bool holds_words(const ReportTable& table) {
-  return table.header.back() == "reason" || table.header.back() == "value";
+  return table.header.back() == "reason" || table.header.back() == "value" ||
+         table.header.back() == "definition";
+}
+
+/// Columns of other data than ours stand back, verdicts stand out.
+std::string cell_class(const std::string& column, const std::string& text) {
+  if (text.starts_with("  ")) return "part";
+  if (column.find("other data") != std::string::npos) return "other";
+  if (text == "holds") return "good";
+  return text == "does not" ? "bad" : "";
+}
+
+std::string cell(const char* tag, const std::string& column, const std::string& text) {
+  const std::string kind = cell_class(column, text);
+  return fmt::format("<{0}{1}>{2}</{0}>", tag, kind.empty() ? "" : " class=" + kind,
+                     escaped_markup(kind == "part" ? text.substr(2) : text));
 }
 
 std::string table_html(const ReportTable& table) {
-  std::string text = fmt::format("<div class=scroll><table{}>", holds_words(table) ? " class=words" : "");
-  if (!table.caption.empty()) text += fmt::format("<caption>{}</caption>", escaped(table.caption));
+  constexpr std::size_t long_rows = 30;  // more than these scroll under their header
+  std::string text;
+  if (!table.caption.empty()) text += fmt::format("<p class=caption>{}</p>", escaped_markup(table.caption));
+  text += fmt::format("<div class=\"scroll{}\"><table{}>", table.rows.size() > long_rows ? " long" : "",
+                      holds_words(table) ? " class=words" : "");
   text += "<thead><tr>";
-  for (const std::string& name : table.header) text += fmt::format("<th>{}</th>", escaped(name));
+  for (const std::string& name : table.header) text += cell("th", name, name);
   text += "</tr></thead><tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
-    for (const std::string& value : row) text += cell(value);
+    for (std::size_t c = 0; c < row.size(); ++c) text += cell("td", table.header[c], row[c]);
     text += "</tr>\n";
   }
   text += "</tbody></table></div>\n";
-  for (const std::string& note : table.notes) text += fmt::format("<p class=note>{}</p>\n", escaped(note));
+  for (const std::string& note : table.notes)
+    text += fmt::format("<p class=note>{}</p>\n", escaped_markup(note));
   return text;
 }
 
 std::string figure_html(const ReportPicture& picture, const std::filesystem::path& run_directory) {
   const std::filesystem::path file = run_directory / picture.file;
-  const std::string caption = escaped(picture.caption);
+  const std::string caption = escaped_markup(picture.caption);
   try {
     const std::string data = base64(read_file_bytes(file));
     return fmt::format(
@@ -110,25 +84,57 @@ std::string figure_html(const ReportPicture& picture, const std::filesystem::pat
   }
 }
 
+std::string tile_html(const ReportTile& tile) {
+  std::string text = fmt::format("<div class=tile><h3>{}</h3><dl>", escaped_markup(tile.title));
+  for (const auto& [what, value] : tile.values)
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>", escaped_markup(what), escaped_markup(value));
+  return text + "</dl></div>\n";
+}
+
+std::string chart_html(const ReportChart& chart) {
+  std::string text =
+      fmt::format("<div class=plot><h3>{}</h3>\n", escaped_markup(chart.title)) + chart_svg(chart);
+  for (const std::string& note : chart.notes)
+    text += fmt::format("<p class=note>{}</p>\n", escaped_markup(note));
+  return text + "</div>\n";
+}
+
+/// The items of a kind in a grid of their own; nothing for none.
+template <class Items, class Render>
+std::string grid(const char* name, const Items& items, const Render& render) {
+  if (items.empty()) return {};
+  std::string text = fmt::format("<div class={}>\n", name);
+  for (const auto& item : items) text += render(item);
+  return text + "</div>\n";
+}
+
+std::string section_html(const ReportSection& section, std::size_t number,
+                         const std::filesystem::path& run_directory) {
+  const std::string title = fmt::format("<h2 id=s{}>{}</h2>", number, escaped_markup(section.title));
+  std::string text = section.folded ? "<details><summary>" + title + "</summary>\n" : title + '\n';
+  for (const std::string& paragraph : section.paragraphs)
+    text += fmt::format("<p>{}</p>\n", escaped_markup(paragraph));
+  text += grid("tiles", section.tiles, tile_html) + grid("plots", section.charts, chart_html);
+  for (const ReportTable& table : section.tables) text += table_html(table);
+  text += grid("pictures", section.pictures,
+               [&](const ReportPicture& picture) { return figure_html(picture, run_directory); });
+  return section.folded ? text + "</details>\n" : text;
+}
+
 }  // namespace
 
 std::string render_html(const Report& report, const std::filesystem::path& run_directory) {
   std::string text = fmt::format(
       "<!doctype html>\n<html lang=en><head><meta charset=utf-8>\n"
       "<meta name=viewport content=\"width=device-width, "
-      "initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>"
-      "</head><body>\n<h1>{0}</h1>\n",
-      escaped(report.title), style);
-  for (const ReportSection& section : report.sections) {
-    text += fmt::format("<h2>{}</h2>\n", escaped(section.title));
-    for (const std::string& paragraph : section.paragraphs)
-      text += fmt::format("<p>{}</p>\n", escaped(paragraph));
-    for (const ReportTable& table : section.tables) text += table_html(table);
-    if (section.pictures.empty()) continue;
-    text += "<div class=pictures>\n";
-    for (const ReportPicture& picture : section.pictures) text += figure_html(picture, run_directory);
-    text += "</div>\n";
-  }
+      "initial-scale=1\">\n<title>{0}</title>\n<style>{1}{2}</style>"
+      "</head><body>\n<header><h1>{0}</h1>\n<nav>",
+      escaped_markup(report.title), page_style, chart_style());
+  for (std::size_t i = 0; i < report.sections.size(); ++i)
+    text += fmt::format("<a href=\"#s{}\">{}</a>", i, escaped_markup(report.sections[i].title));
+  text += "</nav></header>\n";
+  for (std::size_t i = 0; i < report.sections.size(); ++i)
+    text += section_html(report.sections[i], i, run_directory);
   return text + "</body></html>\n";
 }
 

@@ -9,44 +9,47 @@ namespace facet {
 namespace {
 
 /// Pages with the pictures of every frame would not open on a phone.
-constexpr int frames_with_pictures = 6;
+constexpr std::size_t pictures_on_page = 12;
 
-ReportSection summary_section(const RunRecord& run) {
-  const Manifest& m = run.manifest;
-  ReportSection section;
-  section.title = "Summary";
-  const int failed = m.frames_data_error + m.frames_method_error;
-  section.paragraphs.push_back(fmt::format(
-      "{}: {} method{} on {}, {} of {} frames processed, {} failed.", status_name(m.status), m.methods.size(),
-      m.methods.size() == 1 ? "" : "s", fmt::join(m.datasets, ", "), m.frames_ok, m.frames_planned, failed));
-  if (failed > 0)
-    section.paragraphs.push_back(fmt::format("Failed: {} could not be read, {} could not be processed.",
-                                             m.frames_data_error, m.frames_method_error));
-  for (const std::string& note : m.notes) section.paragraphs.push_back(note + '.');
-  return section;
+/// How many frames of every data set and method have room.
+std::size_t room_for_each(const RunRecord& run) {
+  const std::size_t groups = run.manifest.datasets.size() * run.manifest.methods.size();
+  return std::clamp<std::size_t>(pictures_on_page / std::max<std::size_t>(groups, 1), 1, 6);
+}
+
+/// The gallery, or the worst of the frames with pictures, or the first of them where there is no truth.
+std::vector<GalleryEntry> frames_to_show(const RunRecord& run) {
+  if (!run.gallery.empty()) return run.gallery;
+  std::vector<FrameRow> pictured;
+  for (const FrameRow& row : run.frames)
+    if (!row.pictures.empty()) pictured.push_back(row);
+  std::vector<GalleryEntry> entries = worst_frames(pictured, "surface_f1_0.5", room_for_each(run));
+  if (!entries.empty()) return entries;
+  std::map<std::pair<std::string, std::string>, std::size_t> shown;
+  for (const FrameRow& row : pictured)
+    if (++shown[{row.dataset, row.method}] <= room_for_each(run))
+      entries.push_back({row.dataset, row.frame, row.method, {}, {}, {}, row.pictures.front()});
+  return entries;
 }
 
 ReportSection picture_section(const RunRecord& run) {
+  const std::vector<GalleryEntry> entries = frames_to_show(run);
   ReportSection section;
   section.title = "Pictures";
   section.on_console = false;
-  std::map<std::pair<std::string, std::string>, int> shown;
-  int left_out = 0;
-  for (const FrameRow& row : run.frames) {
-    if (row.pictures.empty()) continue;
-    if (++shown[{row.dataset, row.method}] > frames_with_pictures) {
-      ++left_out;
-      continue;
-    }
-    for (const std::string& file : row.pictures)
-      section.pictures.push_back({fmt::format("{} / {} / {}", row.dataset, row.frame, row.method), file});
-  }
-  if (section.pictures.empty()) section.paragraphs.push_back("no pictures kept");
-  if (left_out > 0)
+  if (entries.empty()) section.paragraphs.push_back("no pictures kept");
+  const bool rated = !entries.empty() && entries.front().value;
+  if (rated) {
+    section.title = "Worst frames";
     section.paragraphs.push_back(
-        fmt::format("The first {} frames of every data set and method; those of {} more are in "
-                    "overlays/.",
-                    frames_with_pictures, left_out));
+        fmt::format("The worst frames of every method and data set by {}; `facet gallery` draws others.",
+                    entries.front().metric));
+  }
+  for (const GalleryEntry& e : entries) {
+    std::string caption = fmt::format("{} / {} / {}", e.dataset, e.frame, e.method);
+    if (e.value) caption += fmt::format(": {} = {:.3f}", e.metric, *e.value);
+    section.pictures.push_back({std::move(caption), e.picture});
+  }
   return section;
 }
 
@@ -56,6 +59,7 @@ ReportSection provenance_section(const RunRecord& run) {
   section.title = "Provenance";
   section.on_console = false;
   ReportTable table;
+  section.folded = true;
   table.header = {"what", "value"};
   table.rows = {
       {"experiment", m.experiment},          {"command", fmt::format("{}", fmt::join(m.command, " "))},
@@ -72,8 +76,12 @@ Report make_run_report(const RunRecord& run) {
   Report report;
   report.title = "Facet: " + run.manifest.experiment;
   report.sections = {summary_section(run),      detection_section(run),     timing_section(run),
+                     clutter_section(run),      curve_section(run),         level_section(run),
                      surfaces_section(run),     failures_section(run),      picture_section(run),
                      score_detail_section(run), timing_detail_section(run), provenance_section(run)};
+  std::erase_if(report.sections, [](const ReportSection& section) {
+    return section.paragraphs.empty() && section.tables.empty() && section.pictures.empty();
+  });
   return report;
 }
 

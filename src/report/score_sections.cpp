@@ -111,8 +111,9 @@ Found found_in(const FrameScore& score) {
           score.grasps.surfaces, score.edges.recall_6px.graspable};
 }
 
-/// The layout of the paper's Table 2: what there is and what every method found, frame by frame.
-ReportTable table2(const RunRecord& run, const std::string& dataset) {
+}  // namespace
+
+ReportTable table2_of_paper(const RunRecord& run, const std::string& dataset) {
   ReportTable table;
   table.caption = fmt::format("Graspable objects, surfaces and edges on {}: there, and found", dataset);
   table.header = {"frame"};
@@ -131,23 +132,39 @@ ReportTable table2(const RunRecord& run, const std::string& dataset) {
     table.header.emplace_back(group.name);
     for (const std::string& method : run.manifest.methods) table.header.push_back(method);
   }
+  std::map<std::pair<const char*, std::string>, Tally> sums;
   for (const auto& [frame, methods] : frames) {
     std::vector<std::string> cells{frame};
     for (const Group& group : groups) {
       cells.push_back(std::to_string((found_in(*methods.begin()->second->score).*group.tally).n));
       for (const std::string& method : run.manifest.methods) {
         const auto row = methods.find(method);
-        cells.push_back(row == methods.end()
-                            ? "not run"
-                            : std::to_string((found_in(*row->second->score).*group.tally).hit));
+        cells.emplace_back("not run");
+        if (row == methods.end()) continue;
+        const Tally found = found_in(*row->second->score).*group.tally;
+        cells.back() = std::to_string(found.hit);
+        sums[{group.name, method}].hit += found.hit;
+        sums[{group.name, method}].n += found.n;
       }
     }
     table.rows.push_back(std::move(cells));
   }
+  if (table.rows.empty()) return table;
+  std::vector<std::string> totals{"all"};
+  for (const Group& group : groups) {
+    totals.push_back(std::to_string(sums[{group.name, run.manifest.methods.front()}].n));
+    for (const std::string& method : run.manifest.methods) {
+      const Tally& sum = sums[{group.name, method}];
+      totals.push_back(sum.n == 0 ? "n/a" : fmt::format("{} %", percent(1.0 * sum.hit / sum.n)));
+    }
+  }
+  table.rows.push_back(std::move(totals));
   table.notes.push_back(
       "Objects count with a pose and a grasp, or with a pose where a method yields no grasps.");
   return table;
 }
+
+namespace {
 
 std::string share_text(double value, const Metric& metric) {
   // A ratio may exceed 1 and is no share.
@@ -236,7 +253,7 @@ ReportSection detection_section(const RunRecord& run) {
     const Results results = results_on(run, dataset);
     if (!is_scored(results)) continue;
     section.tables.push_back(detection_table(dataset, results));
-    if (ReportTable frames = table2(run, dataset); !frames.rows.empty())
+    if (ReportTable frames = table2_of_paper(run, dataset); !frames.rows.empty())
       section.tables.push_back(std::move(frames));
   }
   if (section.tables.empty()) section.paragraphs.push_back("Not scored: no frame has truth.");
@@ -246,6 +263,7 @@ ReportSection detection_section(const RunRecord& run) {
 ReportSection score_detail_section(const RunRecord& run) {
   ReportSection section;
   section.title = "Scores in detail";
+  section.folded = true;
   section.on_console = false;
   for (const std::string& dataset : run.manifest.datasets) {
     const Results results = results_on(run, dataset);

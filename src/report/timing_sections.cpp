@@ -72,6 +72,43 @@ ReportTable table3(const RunRecord& run, const std::string& dataset, const Summa
   return table;
 }
 
+ChartRange box_of(const TimeStatistics& t, int color, const std::string& name) {
+  const auto& q = t.box_ms;
+  return {color,
+          q[0],
+          q[2],
+          q[4],
+          q[1],
+          q[3],
+          fmt::format(
+              "{}: median {:.2f} ms, quartiles {:.2f} and {:.2f} ms, 90 % within {:.2f} to {:.2f} ms, n = {}",
+              name, q[2], q[1], q[3], q[0], q[4], t.n)};
+}
+
+/// Box plots of every row of Table 3, of poses and grasps.
+ReportChart stage_chart(const std::string& dataset, const Summaries& methods) {
+  RangeChart chart;
+  chart.axis = {"time [ms], logarithmic", 0.01, {}, true};
+  for (const TimingSummary* s : methods) chart.legend.push_back(s->method);
+  const auto add = [&](const std::string& label, const auto& times_of) {
+    RangeChart::Row row{label, {}};
+    for (std::size_t m = 0; m < methods.size(); ++m)
+      row.ranges.push_back(
+          box_of(times_of(*methods[m]), static_cast<int>(m), label + ", " + methods[m]->method));
+    chart.rows.push_back(std::move(row));
+  };
+  const auto layout = table3_layout();
+  for (std::size_t i = 0; i < layout.size(); ++i)
+    if (!layout[i].indented)
+      add(std::string(layout[i].label), [i](const TimingSummary& s) { return s.layout[i].times; });
+  add("Unattributed", [](const TimingSummary& s) { return s.unattributed; });
+  add("Pose", [](const TimingSummary& s) { return s.pose; });
+  add("Grasps", [](const TimingSummary& s) { return s.grasps; });
+  return {"Time per stage on " + dataset,
+          std::move(chart),
+          {"Boxes: median and quartiles; lines: 5 % to 95 % of the runs."}};
+}
+
 /// Summaries grouped by data set, in order.
 std::vector<Summaries> by_dataset(const std::vector<TimingSummary>& all) {
   std::vector<Summaries> groups;
@@ -149,12 +186,40 @@ ReportTable io_table(const RunRecord& run) {
 
 }  // namespace
 
+ReportTable table3_of_paper(const RunRecord& run, const std::string& dataset) {
+  ReportTable table;
+  table.caption = fmt::format("Time per stage on {} [ms]", dataset);
+  table.header = {"method"};
+  std::vector<std::string> paper{"paper, GTX 1070, other data"};
+  for (const TimingRowLayout& row : table3_layout()) {
+    if (row.indented) continue;
+    table.header.emplace_back(row.label);
+    paper.push_back(paper_time(row.paper));
+  }
+  table.header.emplace_back("Total");
+  paper.emplace_back("15.90 ± 2.6");
+  for (const TimingSummary& s : summarize_timing(run.timing)) {
+    if (s.dataset != dataset) continue;
+    std::vector<std::string> cells{s.method};
+    for (std::size_t i = 0; i < s.layout.size(); ++i)
+      if (!table3_layout()[i].indented) cells.push_back(mean_and_deviation(s.layout[i].times));
+    cells.push_back(mean_and_deviation(s.total_without_pose));
+    table.rows.push_back(std::move(cells));
+  }
+  if (table.rows.empty()) return table;
+  table.rows.push_back(std::move(paper));
+  table.notes.push_back("Total: without poses and grasps, with what no stage accounts for.");
+  return table;
+}
+
 ReportSection timing_section(const RunRecord& run) {
   ReportSection section;
   section.title = "Timing";
   const std::vector<TimingSummary> summaries = summarize_timing(run.timing);
-  for (const Summaries& methods : by_dataset(summaries))
+  for (const Summaries& methods : by_dataset(summaries)) {
     section.tables.push_back(table3(run, methods.front()->dataset, methods));
+    section.charts.push_back(stage_chart(methods.front()->dataset, methods));
+  }
   if (summaries.empty()) section.paragraphs.push_back("Not timed.");
   return section;
 }
@@ -162,6 +227,7 @@ ReportSection timing_section(const RunRecord& run) {
 ReportSection timing_detail_section(const RunRecord& run) {
   ReportSection section;
   section.title = "Timing in detail";
+  section.folded = true;
   section.on_console = false;
   for (const TimingSummary& s : summarize_timing(run.timing)) section.tables.push_back(detail_table(s));
   if (!run.io_times.empty()) section.tables.push_back(io_table(run));

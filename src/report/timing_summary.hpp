@@ -41,6 +41,7 @@ struct TimeStatistics {
   double min_ms = 0;
   double max_ms = 0;
   std::array<std::optional<double>, 4> percentile_ms;  ///< empty where there are too few samples
+  std::array<double, 5> box_ms{};                      ///< quantiles 5, 25, 50, 75 and 95 %, for pictures
   std::array<int, 2> deadline_misses{};
   int outliers = 0;  ///< flagged, and kept in every other figure
 };

@@ -64,8 +64,10 @@ TEST(DetectionSection, HasTheLayoutOfTable2FrameByFrame) {
   const ReportTable table = detection_section(scored_run()).tables[1];
   EXPECT_THAT(table.header,
               ElementsAre("frame", "objects", "a", "b", "surfaces", "a", "b", "edges", "a", "b"));
-  ASSERT_EQ(table.rows.size(), 1u);
+  ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_THAT(table.rows[0], ElementsAre("learn6", "2", "1", "1", "4", "3", "3", "12", "11", "5"));
+  EXPECT_THAT(table.rows[1],
+              ElementsAre("all", "2", "50.0 %", "50.0 %", "4", "75.0 %", "75.0 %", "12", "91.7 %", "41.7 %"));
 }
 
 TEST(DetectionSection, WithoutTruthItSaysSo) {
