@@ -68,15 +68,21 @@ void add_frame_options(CLI::App& command, Arguments& a) {
 }
 
 void add_run(CLI::App& app, Arguments& a) {
-  CLI::App* run = app.add_subcommand("run", "run methods over data sets, time them, write a run directory");
-  run->add_option("experiment", a.file, "experiment file (YAML)")->required();
-  add_config_options(*run, a);
-  add_frame_options(*run, a);
-  run->add_flag("--dry-run", a.dry_run, "say what would run and stop");
-  run->add_option("--backend", a.run.backend, "cpu, cuda or auto")
-      ->check(CLI::IsMember({"cpu", "cuda", "auto"}))
-      ->capture_default_str();
-  add_voice(*run, a);
+  for (const auto& [name, study, doc] :
+       {std::tuple{"run", facet::Study::none, "run methods over data sets, time them, write a run directory"},
+        std::tuple{"ablate", facet::Study::ablation, "the same over the switches of the section `ablation`"},
+        std::tuple{"sweep", facet::Study::sweep, "the same over the values of the section `sweep`"}}) {
+    CLI::App* run = app.add_subcommand(name, doc);
+    run->add_option("experiment", a.file, "experiment file (YAML)")->required();
+    add_config_options(*run, a);
+    add_frame_options(*run, a);
+    run->add_flag("--dry-run", a.dry_run, "say what would run and stop");
+    run->add_option("--backend", a.run.backend, "cpu, cuda or auto")
+        ->check(CLI::IsMember({"cpu", "cuda", "auto"}))
+        ->capture_default_str();
+    add_voice(*run, a);
+    run->callback([&a, study = study] { a.run.study = study; });
+  }
 }
 
 void add_scoring(CLI::App& app, Arguments& a) {
@@ -131,15 +137,15 @@ void add_others(CLI::App& app, Arguments& a) {
   check->add_option("--masks", a.masks, "folder of object masks NAME.png, where they lie apart");
   add_data_root(*check, a);
   CLI::App* list = app.add_subcommand("list", "what there is, one line each");
-  list->add_option("what", a.list_what, "methods, datasets, stages or metrics")
+  list->add_option("what", a.list_what, "methods, datasets, stages, metrics or switches")
       ->required()
-      ->check(CLI::IsMember({"methods", "datasets", "stages", "metrics"}));
+      ->check(CLI::IsMember({"methods", "datasets", "stages", "metrics", "switches"}));
   add_data_root(*app.add_subcommand("doctor", "what this machine and this binary have"), a);
 }
 
 int dispatch(const CLI::App& app, Arguments& a) {
   if (a.seed) a.run.overrides.push_back(fmt::format("seed={}", *a.seed));
-  if (app.got_subcommand("run")) {
+  if (app.got_subcommand("run") || app.got_subcommand("ablate") || app.got_subcommand("sweep")) {
     a.run.config_file = a.file;
     return command_run(a.run, a.voice, a.dry_run);
   }

@@ -19,11 +19,13 @@
 #include "experiment/environment.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/selftest.hpp"
+#include "experiment/study_expansion.hpp"
 #include "experiment/validation.hpp"
 #include "facet_progress.hpp"
 #include "method/registry.hpp"
 #include "pipeline/stage_id.hpp"
 #include "score/metrics.hpp"
+#include "study/switches.hpp"
 
 namespace {
 
@@ -103,8 +105,9 @@ std::shared_ptr<spdlog::logger> make_log(const Voice& voice) {
 
 int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_run) {
   if (dry_run) {
-    const auto loaded = facet::load_experiment(options.config_file, options.overrides);
-    print_plan(loaded.experiment, facet::check_experiment(loaded.experiment, options));
+    const facet::Experiment experiment = facet::expand_study(
+        facet::load_experiment(options.config_file, options.overrides).experiment, options.study);
+    print_plan(experiment, facet::check_experiment(experiment, options));
     return 0;
   }
   return finish_run(
@@ -207,6 +210,9 @@ int command_list(const std::string& what) {
   if (what == "metrics")
     for (const facet::Metric& metric : facet::score_metrics())
       fmt::print("{:<44} {}\n", metric.name, needs_of(metric));
+  if (what == "switches")
+    for (const facet::AblationSwitch& s : facet::ablation_switches())
+      fmt::print("{:<16} {}\n", s.name, s.doc);
   return 0;
 }
 

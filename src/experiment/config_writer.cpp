@@ -97,11 +97,12 @@ class ConfigWriter {
 };
 
 void write_studies(ConfigWriter& writer, const Experiment& e) {
-  if (e.ablation) {
-    writer.raw("ablation:");
-    visit_ablation_fields(*e.ablation, writer.fields(2, "ablation"));
-    writer.line(2, "switches", fmt::format("[{}]", fmt::join(e.ablation->switches, ", ")),
-                "ablation.switches");
+  if (!e.ablations.empty()) writer.raw("ablation:");
+  for (const AblationOptions& ablation : e.ablations) {
+    const std::string design(enum_name(ablation.design));
+    writer.raw(fmt::format("  - {{design: {}, base: {}, switches: [{}], metrics: [{}]}}", design,
+                           ablation.base, fmt::join(ablation.switches, ", "),
+                           fmt::join(ablation.metrics, ", ")));
   }
   if (!e.sweep.empty()) writer.raw("sweep:");
   for (const SweepAxis& axis : e.sweep)

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "dataset/registry.hpp"
 #include "method/method_spec.hpp"
+#include "study/ablation_plan.hpp"
 
 namespace facet {
 
@@ -30,15 +29,6 @@ struct OutputOptions {
   int gallery = 0;  ///< worst frames kept as pictures
 };
 
-enum class AblationDesign { leave_one_out, one_in, cumulative, factorial };
-struct AblationOptions {
-  AblationDesign design = AblationDesign::leave_one_out;
-  std::string base = "default";       ///< method whose switches are turned
-  std::vector<std::string> switches;  ///< names of ablation_switches
-};
-inline constexpr std::array<std::string_view, 7> ablation_switches{
-    "temporal", "fill", "wiener", "sobel", "morphology", "pruning", "validation"};
-
 /// One parameter of a sweep and the values it takes.
 struct SweepAxis {
   std::string parameter;
@@ -54,7 +44,7 @@ struct Experiment {
   ScoreOptions score;
   TimingOptions timing;
   OutputOptions outputs;
-  std::optional<AblationOptions> ablation;
+  std::vector<AblationOptions> ablations;  ///< each a design of its own
   std::vector<SweepAxis> sweep;
 };
 

@@ -2,14 +2,12 @@
 
 #include "experiment/experiment.hpp"
 #include "pipeline/params_fields.hpp"
+#include "study/design_names.hpp"
 
 namespace facet {
 
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<PoseScoring>{"auto", "true", "false"};
-template <>
-inline constexpr std::array<std::string_view, 4> enum_names<AblationDesign>{"leave_one_out", "one_in",
-                                                                            "cumulative", "factorial"};
 
 // The keys of an experiment's sections, as visit_fields() lists those of the pipeline. They drive the reader,
 // --set, the range checks and configs/default.yaml.

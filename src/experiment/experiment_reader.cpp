@@ -7,6 +7,8 @@
 
 #include "experiment/config_layers.hpp"
 #include "experiment/experiment_fields.hpp"
+#include "score/metrics.hpp"
+#include "study/switches.hpp"
 
 namespace facet {
 namespace {
@@ -57,19 +59,47 @@ std::vector<Spec> read_elements(SectionReader& reader, const std::string& sectio
   return specs;
 }
 
-AblationOptions read_ablation(const ConfigValue& value, ConfigErrors& errors, OriginTable& origins) {
-  AblationOptions options;
-  SectionReader reader(value, "ablation", errors, origins);
-  visit_ablation_fields(options, reader);
-  const std::vector<std::string> known{ablation_switches.begin(), ablation_switches.end()};
-  const std::string expected = fmt::format("switches among {}", fmt::join(known, ", "));
-  for (const ConfigValue& item : reader.take_list("switches", expected)) {
+/// A list of names that must be among `known`; empty where the key is absent.
+std::vector<std::string> read_names(SectionReader& reader, const std::string& key, const std::string& what,
+                                    const std::vector<std::string>& known) {
+  const std::string expected = fmt::format("{} among {}", what, fmt::join(known, ", "));
+  std::vector<std::string> names;
+  for (const ConfigValue& item : reader.take_list(key, expected)) {
     if (std::find(known.begin(), known.end(), item.scalar) == known.end())
-      reader.reject(item, "switches", expected, nearest_name(item.scalar, known));
-    options.switches.push_back(item.scalar);
+      reader.reject(item, key, expected, nearest_name(item.scalar, known));
+    names.push_back(item.scalar);
   }
+  return names;
+}
+
+template <class Table>
+std::vector<std::string> names_in(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& row : table) names.emplace_back(row.name);
+  return names;
+}
+
+AblationOptions read_ablation(const ConfigValue& value, const std::string& where, ConfigErrors& errors,
+                              OriginTable& origins) {
+  AblationOptions options;
+  SectionReader reader(value, where, errors, origins);
+  visit_ablation_fields(options, reader);
+  options.switches = read_names(reader, "switches", "switches", names_in(ablation_switches()));
+  const std::vector<std::string> metrics =
+      read_names(reader, "metrics", "metrics", names_in(score_metrics()));
+  if (!metrics.empty()) options.metrics = metrics;
   reader.finish();
   return options;
+}
+
+/// One design, or a list of them.
+std::vector<AblationOptions> read_ablations(const ConfigValue& value, ConfigErrors& errors,
+                                            OriginTable& origins) {
+  if (!value.is_list()) return {read_ablation(value, "ablation", errors, origins)};
+  std::vector<AblationOptions> ablations;
+  for (std::size_t i = 0; i < value.items.size(); ++i)
+    ablations.push_back(read_ablation(value.items[i], fmt::format("ablation[{}]", i), errors, origins));
+  return ablations;
 }
 
 /// Checks a swept value by reading it as its parameter.
@@ -117,7 +147,7 @@ void read_sections(SectionReader& reader, LoadedExperiment& loaded, ConfigErrors
   section(
       "outputs", [](auto& o, auto& v) { visit_output_fields(o, v); }, e.outputs);
   if (const ConfigValue* ablation = reader.take("ablation"))
-    e.ablation = read_ablation(*ablation, errors, origins);
+    e.ablations = read_ablations(*ablation, errors, origins);
   if (const ConfigValue* sweep = reader.take("sweep")) e.sweep = read_sweep(*sweep, errors, origins);
 }
 

@@ -5,25 +5,29 @@
 #include <map>
 
 #include "dataset/checksum.hpp"
+#include "experiment/ablation_strips.hpp"
 #include "experiment/build_info.hpp"
 #include "experiment/calibration.hpp"
 #include "experiment/config_writer.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/gallery_pictures.hpp"
+#include "experiment/study_expansion.hpp"
 #include "experiment/timing_pass.hpp"
 #include "file/file_bytes.hpp"
 #include "method/stored_predictions.hpp"
 #include "record/metrics_summary.hpp"
 #include "report/timing_summary.hpp"
 #include "report/write_report.hpp"
+#include "study/ablation_effects.hpp"
 
 namespace facet {
 namespace {
 
 /// Hash of everything that decides which results there are: the experiment and the selection of frames.
 std::string config_hash(const Experiment& experiment, const RunOptions& options) {
-  const std::string text = write_config(experiment) +
-                           fmt::format("filter: {}\nlimit: {}\n", options.filter, options.limit.value_or(0));
+  const std::string text =
+      write_config(experiment) + fmt::format("filter: {}\nlimit: {}\nstudy: {}\n", options.filter,
+                                             options.limit.value_or(0), static_cast<int>(options.study));
   return sha256_hex({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
@@ -71,11 +75,12 @@ std::vector<std::string> printable_all(const std::vector<std::string>& texts) {
 
 ExperimentRun::ExperimentRun(const Experiment& experiment, const RunOptions& options, RunObserver& observer,
                              const std::atomic<int>& stop_signal)
-    : experiment_(experiment),
+    : source_(experiment),
+      experiment_(expand_study(experiment, options.study)),
       options_(options),
       observer_(observer),
       stop_signal_(stop_signal),
-      plan_(check_experiment(experiment, options)),
+      plan_(check_experiment(experiment_, options)),
       identity_{config_hash(experiment, options), build_identity()},
       directory_(open_directory()) {}
 
@@ -91,6 +96,7 @@ RunOutcome ExperimentRun::execute() {
     publish_metrics();
     publish_gallery();
     if (!stopped_early) time_methods(pass);
+    publish_study();
   }
   return finish(stopped_early);
 }
@@ -126,7 +132,7 @@ void ExperimentRun::describe_run() {
       observer_.on_note(
           fmt::format("data set {} is read from {}", planned.spec.name, printable(planned.spec.root)));
   directory_.publish("manifest.json", to_json(manifest_));
-  directory_.publish("config.resolved.yaml", write_config(experiment_));
+  directory_.publish("config.resolved.yaml", write_config(source_));
   directory_.publish("env.json", environment_json());
   directory_.become_latest();
 }
@@ -190,6 +196,17 @@ void ExperimentRun::time_methods(const AccuracyPass& pass) {
   directory_.publish("timing/io.csv", to_csv(io_times));
   directory_.publish("timing/stages.csv", stages_csv(summarize_timing(timings.table)));
   directory_.publish("timing/samples.csv", to_csv(timings.table));
+}
+
+void ExperimentRun::publish_study() {
+  if (options_.study != Study::ablation || stop_signal_ != 0) return;
+  const AblationPlan plan = plan_ablations(source_.ablations, source_.methods);
+  directory_.publish("metrics/ablation.json",
+                     ablation_to_json(ablation_effects(plan, rows_, manifest_.datasets)));
+  const std::vector<AblationRow> costs = ablation_costs(plan, read_run(directory_.path()));
+  directory_.publish("timing/ablation.json", ablation_to_json(costs));
+  if (experiment_.outputs.overlays && experiment_.outputs.predictions)
+    write_ablation_strips(plan, plan_, directory_.path());
 }
 
 int ExperimentRun::exit_code(bool stopped_early) const {

@@ -27,10 +27,12 @@ class ExperimentRun {
   void publish_metrics();
   void publish_gallery();
   void time_methods(const AccuracyPass& pass);
+  void publish_study();
   int exit_code(bool stopped_early) const;
   RunOutcome finish(bool stopped_early);
 
-  const Experiment& experiment_;
+  const Experiment& source_;     ///< as it is written
+  const Experiment experiment_;  ///< with the methods of its study
   const RunOptions& options_;
   RunObserver& observer_;
   const std::atomic<int>& stop_signal_;

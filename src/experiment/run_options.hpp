@@ -7,9 +7,17 @@
 
 namespace facet {
 
+/// Which study of an experiment file runs.
+enum class Study {
+  none,      ///< the methods as they are
+  ablation,  ///< those of the section `ablation`
+  sweep,     ///< those of the section `sweep`
+};
+
 /// What the command line says beside the experiment file; none of it changes a frame's result.
 struct RunOptions {
   std::filesystem::path config_file;
+  Study study = Study::none;
   std::vector<std::string> overrides;  ///< --set KEY=VALUE
   std::optional<std::string> data_root;
   std::filesystem::path out = "results";

@@ -10,9 +10,6 @@
 namespace facet {
 
 Plan check_experiment(const Experiment& experiment, const RunOptions& options) {
-  if (experiment.ablation) throw Error(ErrorKind::config, "section `ablation` is not built in this version");
-  if (!experiment.sweep.empty())
-    throw Error(ErrorKind::config, "section `sweep` is not built in this version");
   if (options.backend == "cuda")
     throw Error(ErrorKind::not_measured,
                 "--backend cuda: this binary was built without CUDA; use cpu or auto");

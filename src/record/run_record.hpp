@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "record/ablation_row.hpp"
 #include "record/frame_row.hpp"
 #include "record/gallery.hpp"
 #include "record/manifest.hpp"
@@ -31,6 +32,7 @@ struct RunRecord {
   std::vector<IoTime> io_times;
   std::vector<GalleryEntry> gallery;
   std::optional<Calibration> calibration;
+  std::vector<AblationRow> ablation;  ///< scores, then costs
   std::vector<std::pair<std::string, std::string>> environment;  ///< of env.json, nested keys joined by dots
 };
 

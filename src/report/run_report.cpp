@@ -82,6 +82,7 @@ Report make_run_report(const RunRecord& run) {
   std::erase_if(report.sections, [](const ReportSection& section) {
     return section.paragraphs.empty() && section.tables.empty() && section.pictures.empty();
   });
+  if (!run.ablation.empty()) report.sections.insert(report.sections.begin() + 1, ablation_section(run));
   return report;
 }
 

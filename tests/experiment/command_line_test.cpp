@@ -67,7 +67,7 @@ TEST_F(CommandLine, AConfigurationErrorExitsThreeWithItsPlace) {
   EXPECT_THAT(result.err, HasSubstr("bad.yaml:2:10: timing.repeat"));
 }
 
-TEST_F(CommandLine, ASectionThatIsNotBuiltExitsThreeAndIsNamed) {
+TEST_F(CommandLine, AStudyIsForItsOwnCommand) {
   facet.write("a.yaml", small_experiment + "ablation: {switches: [fill]}\n");
   facet.write("s.yaml", small_experiment + "sweep: {wiener.window_px: [3]}\n");
   EXPECT_EQ(facet.run({"run", "a.yaml"}).exit_code, 3);

@@ -123,7 +123,7 @@ TEST(ConfigErrors, ParametersThatContradictEachOtherAreNamed) {
               HasSubstr("methods.m.params.cd.low_deg"));
 }
 
-TEST(ConfigErrors, StudiesAreValidatedThoughNoCommandRunsThemYet) {
+TEST(ConfigErrors, StudiesAreValidated) {
   ConfigFiles files;
   EXPECT_EQ(
       files.errors_of("schema: 1\nablation: {design: factorial, base: default, switches: [fill, wiener]}\n"
