@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "facet_commands.hpp"
 #include "report_commands.hpp"
+#include "reproduce_command.hpp"
 
 namespace {
 
@@ -207,6 +208,7 @@ int main(int argc, char** argv) {
   std::function<int()> chosen;
   add_compare_commands(app, chosen);
   add_report_commands(app, chosen);
+  add_reproduce_command(app, chosen);
   try {
     app.parse(argc, argv);
     if (chosen) return chosen();

@@ -35,15 +35,6 @@ extern "C" void request_stop(int signal) {
   stop_signal = signal;
 }
 
-/// The first signal ends the run at the next frame; a second one ends the program.
-void stop_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = request_stop;
-  action.sa_flags = SA_RESETHAND;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
 /// Runs, then prints the report, or how to go on after an interruption.
 template <class Run>
 int finish_run(const Voice& voice, const Run& run) {
@@ -101,6 +92,15 @@ std::shared_ptr<spdlog::logger> make_log(const Voice& voice) {
                  : voice.verbose ? spdlog::level::debug
                                  : spdlog::level::info);
   return log;
+}
+
+const std::atomic<int>& stop_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = request_stop;
+  action.sa_flags = SA_RESETHAND;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return stop_signal;
 }
 
 int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_run) {

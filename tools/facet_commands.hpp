@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,6 +20,9 @@ struct Voice {
 };
 /// The log on stderr.
 std::shared_ptr<spdlog::logger> make_log(const Voice& voice);
+/// From here on the first signal ends a run at the next frame, a second one the program. Returns where its
+/// number will be, 0 until then.
+const std::atomic<int>& stop_on_signals();
 
 // The commands: each writes its result to stdout and returns the exit code; errors are thrown as
 // facet::Error.

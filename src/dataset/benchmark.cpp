@@ -55,6 +55,9 @@ std::vector<BenchmarkPart> selected_parts(const DatasetSpec& spec, std::vector<B
     if (chosen.empty()) fail("there is no '" + *set + "' in " + printable(spec.root) + "; there are: ");
     parts = std::move(chosen);
   }
+  if (const auto count = number_option(spec.options, "count"))
+    for (BenchmarkPart& part : parts)
+      std::erase_if(part.frames, [&](const PlannedFrame& frame) { return frame.scene >= *count; });
   for (const BenchmarkPart& part : parts) {
     if (parts.size() > 1 && part.set.frames > 1) fail("sequences are data sets of their own, name one of ");
     if (part.set.sensor.model != parts.front().set.sensor.model && spec.sensor == Sensor::automatic)
@@ -147,8 +150,9 @@ class BenchmarkDataset : public ListedDataset {
 }  // namespace
 
 std::span<const OptionInfo> benchmark_options() {
-  static constexpr std::array<OptionInfo, 3> options{{
+  static constexpr std::array<OptionInfo, 4> options{{
       {"set", OptionType::text, "one set of the benchmark, or one sequence as SET/SEQUENCE; all without it"},
+      {"count", OptionType::number, "scenes of every set and level, fewer than the spec's; all without it"},
       {"seed", OptionType::number, "in place of the spec's; only where the root is a spec"},
       {"cache", OptionType::text,
        "folder for rendered frames, relative to the spec; $XDG_CACHE_HOME/facet or ~/.cache/facet without "

@@ -21,6 +21,7 @@ struct DatasetSpec {
       root;  ///< folder or, for benchmarks, a file; unused by readers that make their own frames
   Sensor sensor = Sensor::automatic;  ///< automatic: what the reader or the data set declares
   std::vector<std::string> frames;    ///< ids in the order to read them; empty = all
+  std::vector<std::string> kinds;     ///< what each of `frames` shows, for tables; empty, or as many
   std::filesystem::path annotations;  ///< folder with ID.json and ID.objects.png; empty = as the reader finds
   ReaderOptions options;              ///< the names are those of ReaderInfo::options
 };

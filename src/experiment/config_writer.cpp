@@ -60,6 +60,7 @@ class ConfigWriter {
          "auto = as the reader declares");
     line(4, "frames", frames(spec), path + ".frames", "all, or a list of frame ids",
          "which frames, in order");
+    if (!spec.kinds.empty()) line(4, "kinds", list_of(spec.kinds), path + ".kinds");
     for (const auto& [key, value] : spec.options) line(4, key, option(spec, key, value), path + '.' + key);
   }
   void method(const MethodSpec& spec) {
@@ -77,9 +78,11 @@ class ConfigWriter {
 
  private:
   static std::string frames(const DatasetSpec& spec) {
-    if (spec.frames.empty()) return "all";
+    return spec.frames.empty() ? "all" : list_of(spec.frames);
+  }
+  static std::string list_of(const std::vector<std::string>& texts) {
     std::string list;
-    for (const std::string& id : spec.frames) list += (list.empty() ? "[" : ", ") + quote(id);
+    for (const std::string& text : texts) list += (list.empty() ? "[" : ", ") + quote(text);
     return list + ']';
   }
   /// Options are kept as text; the reader's table tells whether they were numbers, lists or text.

@@ -52,6 +52,19 @@ void read_frames(SectionReader& reader, DatasetSpec& spec) {
       reader.reject(item, "frames", expected);
 }
 
+void read_kinds(SectionReader& reader, DatasetSpec& spec) {
+  const std::string expected = "a list with what each of `frames` shows";
+  const ConfigValue* value = reader.take("kinds");
+  if (value == nullptr) return;
+  if (!value->is_list() || value->items.size() != spec.frames.size())
+    return reader.reject(*value, "kinds", expected);
+  for (const ConfigValue& item : value->items)
+    if (std::string kind; read_typed(item, kind))
+      spec.kinds.push_back(kind);
+    else
+      reader.reject(item, "kinds", expected);
+}
+
 std::string join_scalars(const ConfigValue& value) {
   std::string text;
   for (const ConfigValue& item : value.items) text += (text.empty() ? "" : ",") + item.scalar;
@@ -140,6 +153,7 @@ DatasetSpec read_dataset(const ConfigValue& value, const std::string& where, Con
   if (const ConfigValue* folder = reader.take("annotations")) spec.annotations = resolve_root(*folder);
   reader("sensor", spec.sensor, FieldInfo{"", 0, 0, ""});
   read_frames(reader, spec);
+  read_kinds(reader, spec);
   read_reader_options(reader, *info, spec);
   reader.finish();
   return spec;

@@ -16,6 +16,7 @@
 #include "file/file_bytes.hpp"
 #include "method/stored_predictions.hpp"
 #include "record/metrics_summary.hpp"
+#include "record/outcome_csv.hpp"
 #include "report/timing_summary.hpp"
 #include "report/write_report.hpp"
 #include "study/ablation_effects.hpp"
@@ -167,6 +168,8 @@ void ExperimentRun::publish_metrics() {
   for (const FrameRow& row : rows_) lines += to_json_line(row);
   directory_.publish("frames.jsonl", lines);
   directory_.publish("metrics/frames.csv", frames_csv(rows_));
+  directory_.publish("metrics/surfaces.csv", surfaces_csv(rows_));
+  directory_.publish("metrics/edges.csv", edges_csv(rows_));
   directory_.publish("metrics/summary.json",
                      metrics_summary_json(manifest_, rows_, wanted_scores(experiment_, rows_)));
 }

@@ -44,6 +44,12 @@ void describe(const Prediction& prediction, FrameRow& row) {
   count_edges(prediction, row);
 }
 
+std::string kind_of(const DatasetSpec& spec, const std::string& frame) {
+  for (std::size_t i = 0; i < spec.kinds.size(); ++i)
+    if (spec.frames[i] == frame) return escaped_utf8(spec.kinds[i]);
+  return {};
+}
+
 }  // namespace
 
 void FrameWork::keep_finished(const std::vector<FrameRow>& rows) {
@@ -63,6 +69,7 @@ std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t inde
   row.build = identity_.build;
   row.status = FrameStatus::data_error;
   row.is_sequence = data.is_sequence();
+  row.kind = kind_of(plan_.datasets[unit.dataset].spec, data.frame_id(index));
   if (const std::optional<FrameLevel> level = data.level(index)) {
     row.axis = level->axis;
     row.level = level->value;

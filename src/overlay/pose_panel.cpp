@@ -31,14 +31,6 @@ std::optional<cv::Point2d> project(const Camera& camera, Vec3 p) {
   return pixel;
 }
 
-/// Columns of the rotation matrix of a unit quaternion.
-std::array<Vec3, 3> axes_of(const std::array<float, 4>& q) {
-  const auto [w, x, y, z] = q;
-  return {Vec3{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-          Vec3{2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-          Vec3{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
-}
-
 void draw_line(cv::Mat& panel, cv::Point2d from, cv::Point2d to, const cv::Scalar& color, int thickness_px) {
   cv::line(panel, fixed_point(from), fixed_point(to), color, thickness_px, cv::LINE_AA, subpixel_bits);
 }
@@ -51,7 +43,7 @@ void draw_pose(cv::Mat& panel, const Surface& surface, const Camera& camera, con
   const double length_px = std::clamp(0.35 * size_px, 9.0, 48.0) / geometry.scale;
   const int thickness_px = size_px < 40 ? 1 : 2;
   const auto length_m = static_cast<float>(length_px * pose.centre_m.z / camera.fx);
-  const std::array<Vec3, 3> axes = axes_of(pose.quaternion_wxyz);
+  const std::array<Vec3, 3> axes = pose_axes(pose.quaternion_wxyz);
   const cv::Point2d from = geometry.to_panel(origin->x, origin->y);
   for (const bool halo : {true, false}) {
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -82,6 +74,13 @@ void draw_grasp(cv::Mat& panel, const Grasp& grasp, const PanelGeometry& geometr
 }
 
 }  // namespace
+
+std::array<Vec3, 3> pose_axes(const std::array<float, 4>& q) {
+  const auto [w, x, y, z] = q;
+  return {Vec3{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+          Vec3{2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+          Vec3{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+}
 
 cv::Mat draw_poses(const Frame& frame, const Prediction& prediction,
                    const std::map<int, cv::Scalar>& colors) {

@@ -13,6 +13,9 @@ inline const std::array<cv::Scalar, 3> axis_colors{cv::Scalar(50, 50, 235), cv::
 /// Colour [BGR] of the contacts of a grasp and the line between them.
 inline const cv::Scalar grasp_color{40, 40, 40};
 
+/// The axes x, y, z of a unit quaternion: the columns of its rotation matrix.
+std::array<Vec3, 3> pose_axes(const std::array<float, 4>& quaternion_wxyz);
+
 /// Contours in the colours of their surfaces, with the projected axes of every pose: x red, y green, z blue
 /// (the normal, towards the camera). Their length is a share of the surface's size, the same for the three in
 /// space. Of every surface's grasps the best one.

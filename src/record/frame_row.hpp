@@ -25,6 +25,7 @@ struct FrameRow {
   std::string frame;
   std::string method;
   FrameStatus status = FrameStatus::ok;
+  std::string kind;          ///< what its data set's description calls it; empty: nothing
   bool is_sequence = false;  ///< one of consecutive frames
   std::string axis;          ///< what its data set varies; empty: nothing
   double level = 0;          ///< the value of that in this frame

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <tbb/parallel_for.h>
 
 #include "core/error.hpp"
 #include "file/file_bytes.hpp"
@@ -22,6 +23,13 @@ std::string read_text_if_any(const fs::path& file) {
   return fs::exists(file) && fs::file_size(file) > 0 ? read_text(file) : std::string();
 }
 
+/// Parsed from the bytes as they were read: of long runs there is no room for a second copy.
+std::vector<FrameRow> read_rows(const fs::path& file) {
+  if (!fs::exists(file) || fs::file_size(file) == 0) return {};
+  const auto bytes = read_file_bytes(file);
+  return frame_rows_from_jsonl({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 Calibration calibration_from_json(const Json& json) {
   return {json.at("repeats").get<int>(), json.at("median_ms").get<double>(), json.at("min_ms").get<double>()};
 }
@@ -39,13 +47,15 @@ void flatten(const Json& json, const std::string& prefix,
 
 }  // namespace
 
-std::vector<FrameRow> frame_rows_from_jsonl(const std::string& text) {
-  std::vector<FrameRow> rows;
-  std::size_t start = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start)) {
-    rows.push_back(frame_row_from_json(std::string_view(text).substr(start, end - start)));
-    start = end + 1;
+std::vector<FrameRow> frame_rows_from_jsonl(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
   }
+  std::vector<FrameRow> rows(lines.size());
+  tbb::parallel_for(std::size_t{0}, lines.size(),
+                    [&](std::size_t i) { rows[i] = frame_row_from_json(lines[i]); });
   return rows;
 }
 
@@ -54,7 +64,7 @@ RunRecord read_run(const fs::path& directory) {
     throw Error(ErrorKind::data, printable(directory) + ": not a run directory, it has no manifest.json");
   RunRecord run;
   run.manifest = manifest_from_json(read_text(directory / "manifest.json"));
-  run.frames = frame_rows_from_jsonl(read_text_if_any(directory / "frames.jsonl"));
+  run.frames = read_rows(directory / "frames.jsonl");
   if (const std::string text = read_text_if_any(directory / "metrics/summary.json"); !text.empty())
     run.scores = score_results_from_json(text);
   if (const std::string text = read_text_if_any(directory / "gallery/gallery.json"); !text.empty())

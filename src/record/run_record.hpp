@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,7 @@ struct RunRecord {
 RunRecord read_run(const std::filesystem::path& directory);
 
 /// Whole rows of a frames.jsonl text.
-std::vector<FrameRow> frame_rows_from_jsonl(const std::string& text);
+std::vector<FrameRow> frame_rows_from_jsonl(std::string_view text);
 
 std::string to_json(const Calibration& calibration);
 

@@ -73,12 +73,42 @@ ReportTable effect_table(const AblationTable& in) {
   return table;
 }
 
+/// Effects with their intervals against zero; nothing where no switch has one.
+std::optional<ReportChart> effect_chart(const AblationTable& in, const std::string& measure) {
+  const bool is_time = measure == "total_ms";
+  const double unit = is_time ? 1 : 100;
+  RangeChart chart;
+  chart.axis.label = is_time ? "with less without [ms]" : "with less without [points]";
+  chart.zero_line = true;
+  for (const std::string& name : in.switches) {
+    const auto cell = in.cells.find({name, measure});
+    if (cell == in.cells.end() || !cell->second->change) continue;
+    const AblationRow& row = *cell->second;
+    chart.rows.push_back({name,
+                          {{0,
+                            unit * row.lo.value_or(*row.change),
+                            unit * *row.change,
+                            unit * row.hi.value_or(*row.change),
+                            {},
+                            {},
+                            name + ": " + effect_text(row)}}});
+  }
+  if (chart.rows.empty()) return std::nullopt;
+  return ReportChart{fmt::format("{}: what each switch is worth, {} on {}", measure, in.base, in.dataset),
+                     std::move(chart),
+                     {}};
+}
+
 }  // namespace
 
 ReportSection ablation_section(const RunRecord& run) {
   ReportSection section;
   section.title = "Ablation";
-  for (const AblationTable& table : tables_of(run.ablation)) section.tables.push_back(effect_table(table));
+  for (const AblationTable& table : tables_of(run.ablation)) {
+    section.tables.push_back(effect_table(table));
+    for (const std::string& measure : table.measures)
+      if (auto chart = effect_chart(table, measure)) section.charts.push_back(std::move(*chart));
+  }
   if (section.tables.empty()) section.paragraphs.push_back("No switch was turned.");
   return section;
 }

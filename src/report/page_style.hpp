@@ -39,7 +39,7 @@ td.bad { color: #c2410c; font-weight: 600; }
 .tile dt { font-size: .86rem; opacity: .8; } .tile dd { margin: 0; text-align: right; font-variant-numeric: tabular-nums; }
 .tile dd:first-of-type { font-size: 1.7rem; font-weight: 650; line-height: 1.2; color: var(--accent); }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 27rem), 1fr)); gap: .9rem; margin: .8rem 0; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 34rem), 1fr)); gap: 1rem; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 34rem), 1fr)); gap: 1rem; }
 figure { margin: 0; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 6px; }
 figcaption { font-size: .85rem; overflow-wrap: anywhere; padding: .15rem 0 .4rem; }
 figcaption code { font-size: .8rem; }

@@ -17,17 +17,15 @@ std::size_t room_for_each(const RunRecord& run) {
   return std::clamp<std::size_t>(pictures_on_page / std::max<std::size_t>(groups, 1), 1, 6);
 }
 
-/// The gallery, or the worst of the frames with pictures, or the first of them where there is no truth.
+/// The gallery, or the worst of the frames, or the first with pictures where there is no truth.
 std::vector<GalleryEntry> frames_to_show(const RunRecord& run) {
   if (!run.gallery.empty()) return run.gallery;
-  std::vector<FrameRow> pictured;
-  for (const FrameRow& row : run.frames)
-    if (!row.pictures.empty()) pictured.push_back(row);
-  std::vector<GalleryEntry> entries = worst_frames(pictured, "surface_f1_0.5", room_for_each(run));
+  std::vector<GalleryEntry> entries = worst_frames(run.frames, "surface_f1_0.5", room_for_each(run));
+  std::erase_if(entries, [](const GalleryEntry& e) { return e.picture.empty(); });
   if (!entries.empty()) return entries;
   std::map<std::pair<std::string, std::string>, std::size_t> shown;
-  for (const FrameRow& row : pictured)
-    if (++shown[{row.dataset, row.method}] <= room_for_each(run))
+  for (const FrameRow& row : run.frames)
+    if (!row.pictures.empty() && ++shown[{row.dataset, row.method}] <= room_for_each(run))
       entries.push_back({row.dataset, row.frame, row.method, {}, {}, {}, row.pictures.front()});
   return entries;
 }

@@ -16,14 +16,35 @@ bool most_of(std::ptrdiff_t part, std::ptrdiff_t whole) {
   return 10 * part >= 7 * whole;  // at least 70 %, without rounding
 }
 
-bool is_detected(const std::vector<SampleHit>& hits, double tolerance_px) {
+/// Samples with a pixel of the kind within the tolerance, and those of them with the right label.
+struct HitCounts {
   std::ptrdiff_t hit = 0, right = 0;
+};
+HitCounts count_hits(const std::vector<SampleHit>& hits, double tolerance_px) {
+  HitCounts counts;
   for (const SampleHit& h : hits) {
     if (h.same_kind_px > tolerance_px + distance_slack_px) continue;
-    ++hit;
-    if (h.label_right) ++right;
+    ++counts.hit;
+    if (h.label_right) ++counts.right;
   }
+  return counts;
+}
+
+bool is_detected(const std::vector<SampleHit>& hits, double tolerance_px) {
+  const auto [hit, right] = count_hits(hits, tolerance_px);
   return hit > 0 && most_of(hit, std::ssize(hits)) && most_of(right, hit);
+}
+
+EdgeOutcome outcome_of(const ScoredEdge& edge, const std::vector<SampleHit>& hits, double tolerance_px) {
+  const auto [hit, right] = count_hits(hits, tolerance_px);
+  return {edge.number,
+          edge.object,
+          edge.kind,
+          edge.graspable,
+          static_cast<int>(hits.size()),
+          static_cast<int>(hit),
+          static_cast<int>(right),
+          is_detected(hits, tolerance_px)};
 }
 
 bool is_located(const std::vector<SampleHit>& hits, double tolerance_px) {
@@ -51,6 +72,7 @@ void add_recall(const FrameTruth& frame, const ScoredEdge& edge, const std::vect
   add(edge, is_located(hits, strict_px), score.recall_kind_ignored_3px);
   for (std::size_t i = 0; i < edge_curve_px; ++i)
     add(edge, is_detected(hits, static_cast<double>(i) + 1), score.recall_curve[i]);
+  score.outcomes.push_back(outcome_of(edge, hits, tolerance_px));
 }
 
 /// Distance of a pixel to the truth line of its kind, and of any kind.

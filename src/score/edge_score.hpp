@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "score/frame_truth.hpp"
+#include "score/outcomes.hpp"
 #include "score/tally.hpp"
 
 namespace facet {
@@ -26,6 +28,7 @@ struct EdgeScore {
   Tally precision_kind_ignored_6px, precision_kind_ignored_3px;
   std::array<EdgeRecall, edge_curve_px> recall_curve{};
   std::array<Tally, edge_curve_px> precision_curve{};
+  std::vector<EdgeOutcome> outcomes{};  ///< of the edges that count
 };
 
 /// `codes` is the edge image of a prediction, of the size of the truth. Throws Error{data} for an unknown

@@ -5,9 +5,24 @@
 namespace facet {
 namespace {
 
+std::vector<SurfaceOutcome> outcomes_of(const FrameTruth& frame, const RegionComparison& comparison) {
+  std::vector<SurfaceOutcome> outcomes;
+  for (std::size_t i = 0; i < frame.scored_surfaces.size(); ++i) {
+    const ScoredSurface& s = frame.scored_surfaces[i];
+    outcomes.push_back({s.number, s.object, frame.surfaces.area_px[i], s.graspable, s.curved, 0, 0});
+  }
+  for (const RegionMatch& match : comparison.matches) {
+    SurfaceOutcome& outcome = outcomes[static_cast<std::size_t>(match.truth)];
+    outcome.region = comparison.predicted.regions[static_cast<std::size_t>(match.region)].ids.front();
+    outcome.iou = match.iou;
+  }
+  return outcomes;
+}
+
 void score_surfaces(const FrameTruth& frame, const Prediction& prediction, FrameScore& score) {
   const RegionComparison surfaces =
       compare_regions(frame, frame.surfaces, surface_regions(frame, prediction));
+  score.surfaces = outcomes_of(frame, surfaces);
   score.surfaces_50 = score_detection(frame.surfaces, surfaces.matches, surfaces.classes);
   const std::vector<RegionMatch> strict =
       match_regions(frame.surfaces, surfaces.predicted, surfaces.overlaps, 0.75);

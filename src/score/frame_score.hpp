@@ -36,6 +36,7 @@ struct FrameScore {
   PredictedParts predicted;
 
   DetectionScore surfaces_50, surfaces_75;  ///< at IoU 0.5 and 0.75
+  std::vector<SurfaceOutcome> surfaces;     ///< every surface that counts
   std::array<HooverCounts, hoover_curve_points> hoover_curve{};
   OverlapScore surface_overlap, object_overlap;
   ObjectMaskScore object_masks;

@@ -164,5 +164,18 @@ TEST_F(BenchmarkReader, says_what_is_wrong_with_root_spec_and_options) {
   expect_error(ErrorKind::internal, "spec.yaml.txt/synth", [&] { data->load(0); });
 }
 
+TEST_F(BenchmarkReader, takes_fewer_scenes_of_every_level_and_says_what_each_frame_varies) {
+  DatasetSpec spec =
+      spec_of("schema: 1\nname: n\nsets: [{name: n, scenes: boxes, count: 3, vary: {noise: [0, 0.5]}}]\n");
+  EXPECT_EQ(open_dataset(spec)->size(), 6u);
+  spec.options["count"] = "1";
+  const auto data = open_dataset(spec);
+  ASSERT_EQ(data->size(), 2u);
+  ASSERT_TRUE(data->level(1));
+  EXPECT_EQ(data->level(1)->axis, "noise");
+  EXPECT_EQ(data->level(1)->value, 0.5);
+  EXPECT_FALSE(open_dataset(spec_of(two_sets))->level(0));
+}
+
 }  // namespace
 }  // namespace facet

@@ -135,5 +135,11 @@ TEST(ConfigErrors, StudiesAreValidated) {
   EXPECT_THAT(errors, HasSubstr("3:28: sweep.wiener.window_px: value 4"));
 }
 
+TEST(ConfigErrors, KindsMustBeAsManyAsFrames) {
+  ConfigFiles files;
+  EXPECT_THAT(files.errors_of("schema: 1\ndatasets: [{name: osd, frames: [a, b], kinds: [Boxes]}]\n"),
+              HasSubstr("expected a list with what each of `frames` shows"));
+}
+
 }  // namespace
 }  // namespace facet

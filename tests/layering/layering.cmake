@@ -24,7 +24,8 @@ set(study_uses compare method pipeline record score core)
 set(cuda_uses pipeline stage surface core)
 set(libraries core stage surface file pipeline cpu prediction truth score synth synth_io dataset method overlay record report compare study)
 set(experiment_uses ${libraries})
-set(tools_uses ${libraries} experiment)
+set(paper_uses ${libraries} experiment)
+set(tools_uses ${libraries} experiment paper)
 
 # Folders whose code also runs on a device: the standard library and nothing else.
 set(device_folders core stage)

@@ -70,6 +70,22 @@ TEST(DetectionSection, HasTheLayoutOfTable2FrameByFrame) {
               ElementsAre("all", "2", "50.0 %", "50.0 %", "4", "75.0 %", "75.0 %", "12", "91.7 %", "41.7 %"));
 }
 
+TEST(PaperTable2, ListsFramesByKindAndThoseWithoutTruthAsSuch) {
+  RunRecord run = scored_run();
+  for (FrameRow& row : run.frames) row.kind = "2 Mixed";
+  FrameRow bare = run.frames[0];
+  bare.frame = "test2";
+  bare.kind = "1 Boxes";
+  bare.score.reset();
+  run.frames.push_back(bare);
+  const ReportTable table = table2_of_paper(run, "osd");
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_THAT(table.rows[0], ElementsAre("test2", "1 Boxes", "no truth", "no truth", "not run", "no truth",
+                                         "no truth", "not run", "no truth", "no truth", "not run"));
+  EXPECT_EQ(table.rows[1][0], "learn6");
+  EXPECT_EQ(table.rows[2][2], "2");  // sums are of the frames with truth
+}
+
 TEST(DetectionSection, WithoutTruthItSaysSo) {
   RunRecord run = scored_run();
   for (FrameRow& row : run.frames) row.score.reset();

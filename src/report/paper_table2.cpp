@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+#include "report/run_report.hpp"
+
+namespace facet {
+namespace {
+
+/// Hits of a frame's score, and what there is to find.
+struct Found {
+  Tally objects, surfaces, edges;
+};
+Found found_in(const FrameScore& score) {
+  return {score.predicted.grasps ? score.grasps.objects_grasp : score.grasps.objects_pose,
+          score.grasps.surfaces, score.edges.recall_6px.graspable};
+}
+
+struct Group {
+  const char* name;
+  Tally Found::*tally;
+};
+constexpr Group groups[]{
+    {"objects", &Found::objects}, {"surfaces", &Found::surfaces}, {"edges", &Found::edges}};
+
+/// One frame under every method.
+using Scene = std::map<std::string, const FrameRow*>;
+using SceneKey = std::pair<std::string, std::string>;  // kind, frame
+
+bool has_truth(const FrameRow& row) {
+  return row.score && row.score->annotated.surfaces;
+}
+
+std::map<SceneKey, Scene> scenes_of(const RunRecord& run, const std::string& dataset) {
+  std::map<SceneKey, Scene> scenes;
+  for (const FrameRow& row : run.frames)
+    if (row.dataset == dataset) scenes[{row.kind, row.frame}][row.method] = &row;
+  return scenes;
+}
+
+using Sums = std::map<std::pair<const char*, std::string>, Tally>;
+
+void add_scene(ReportTable& table, const SceneKey& key, const Scene& scene,
+               const std::vector<std::string>& methods, bool with_kinds, Sums& sums) {
+  std::vector<std::string> cells{key.second};
+  if (with_kinds) cells.push_back(key.first);
+  const auto known =
+      std::find_if(scene.begin(), scene.end(), [](const auto& entry) { return has_truth(*entry.second); });
+  for (const Group& group : groups) {
+    cells.push_back(known == scene.end() ? "no truth"
+                                         : std::to_string((found_in(*known->second->score).*group.tally).n));
+    for (const std::string& method : methods) {
+      const auto row = scene.find(method);
+      const bool is_scored = row != scene.end() && has_truth(*row->second);
+      cells.emplace_back(row == scene.end() ? "not run" : "no truth");
+      if (!is_scored) continue;
+      const Tally found = found_in(*row->second->score).*group.tally;
+      cells.back() = std::to_string(found.hit);
+      sums[{group.name, method}].hit += found.hit;
+      sums[{group.name, method}].n += found.n;
+    }
+  }
+  table.rows.push_back(std::move(cells));
+}
+
+void add_totals(ReportTable& table, const std::vector<std::string>& methods, bool with_kinds, Sums& sums) {
+  std::vector<std::string> cells{"all"};
+  if (with_kinds) cells.emplace_back();
+  for (const Group& group : groups) {
+    cells.push_back(std::to_string(sums[{group.name, methods.front()}].n));
+    for (const std::string& method : methods) {
+      const Tally& sum = sums[{group.name, method}];
+      cells.push_back(sum.n == 0 ? "n/a" : fmt::format("{:.1f} %", 100.0 * sum.hit / sum.n));
+    }
+  }
+  table.rows.push_back(std::move(cells));
+}
+
+}  // namespace
+
+ReportTable table2_of_paper(const RunRecord& run, const std::string& dataset) {
+  const std::vector<std::string>& methods = run.manifest.methods;
+  const std::map<SceneKey, Scene> scenes = scenes_of(run, dataset);
+  const bool with_kinds =
+      std::any_of(scenes.begin(), scenes.end(), [](const auto& scene) { return !scene.first.first.empty(); });
+  ReportTable table;
+  table.caption = fmt::format("Graspable objects, surfaces and edges on {}: there, and found", dataset);
+  table.header = {"frame"};
+  table.full_rows_file = "metrics/frames.csv";
+  if (with_kinds) table.header.emplace_back("kind");
+  for (const Group& group : groups) {
+    table.header.emplace_back(group.name);
+    table.header.insert(table.header.end(), methods.begin(), methods.end());
+  }
+  const bool any_truth = std::any_of(scenes.begin(), scenes.end(), [](const auto& scene) {
+    return std::any_of(scene.second.begin(), scene.second.end(),
+                       [](const auto& entry) { return has_truth(*entry.second); });
+  });
+  if (!any_truth) return table;
+  Sums sums;
+  for (const auto& [key, scene] : scenes) add_scene(table, key, scene, methods, with_kinds, sums);
+  add_totals(table, methods, with_kinds, sums);
+  table.notes = {"Objects count with a pose and a grasp, or with a pose where a method yields no grasps."};
+  return table;
+}
+
+}  // namespace facet
