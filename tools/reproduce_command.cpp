@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <memory>
 
+#include "core/error.hpp"
 #include "facet_commands.hpp"
 #include "facet_progress.hpp"
 #include "paper/reproduce.hpp"
@@ -13,9 +14,12 @@ namespace {
 int run_reproduce(const facet::ReproduceRequest& request, const Voice& voice) {
   const std::atomic<int>& stop_signal = stop_on_signals();
   facet::ReproduceOutcome outcome;
-  {
+  try {
     Progress progress(make_log(voice), !voice.no_progress && !voice.quiet);
     outcome = facet::reproduce(request, progress, stop_signal);
+  } catch (const facet::Error&) {
+    if (stop_signal == 0) throw;
+    return 128 + stop_signal;  // the finished runs are kept, the page is not written
   }
   fmt::print("{}\nreport: {}\n", facet::render_console(outcome.report),
              (outcome.directory / "report/report.html").string());

@@ -10,7 +10,7 @@ namespace facet {
 namespace {
 
 // In units of the view box, which a phone shows at about one pixel each.
-constexpr double width = 420, left = 52, right = 12, top = 8, plot_height = 210, line_height = 17;
+constexpr double width = 420, left = 52, right = 20, top = 8, plot_height = 210, line_height = 17;
 constexpr double range_row_height = 13, range_label_width = 118;
 constexpr int color_count = 6;
 

@@ -19,6 +19,7 @@ h2 { font-size: 1.22rem; margin: 2.4rem 0 .7rem; } summary h2 { display: inline;
 summary { cursor: pointer; margin: 1.6rem 0 .4rem; }
 p { max-width: 62rem; margin: .5rem 0; }
 .scroll { overflow: auto; margin: .2rem 0 .7rem; } .long { max-height: 36rem; }
+.dense th, .dense td { padding: .24rem .34rem; font-size: .82rem; }
 .long thead { position: sticky; top: 0; z-index: 1; }
 thead th { background: var(--page); } th:first-child { z-index: 2; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .9rem; }

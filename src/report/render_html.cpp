@@ -39,7 +39,7 @@ bool holds_words(const ReportTable& table) {
 /// Columns of other data than ours stand back, verdicts stand out.
 std::string cell_class(const std::string& column, const std::string& text) {
   if (text.starts_with("  ")) return "part";
-  if (column.find("other data") != std::string::npos) return "other";
+  if (column.find("other data") != std::string::npos || column.ends_with('*')) return "other";
   if (text == "holds") return "good";
   return text == "does not" ? "bad" : "";
 }
@@ -51,10 +51,12 @@ std::string cell(const char* tag, const std::string& column, const std::string& 
 }
 
 std::string table_html(const ReportTable& table) {
-  constexpr std::size_t long_rows = 30;  // more than these scroll under their header
+  constexpr std::size_t long_rows = 30;     // more than these scroll under their header
+  constexpr std::size_t many_columns = 14;  // more than these stand closer together
   std::string text;
   if (!table.caption.empty()) text += fmt::format("<p class=caption>{}</p>", escaped_markup(table.caption));
-  text += fmt::format("<div class=\"scroll{}\"><table{}>", table.rows.size() > long_rows ? " long" : "",
+  text += fmt::format("<div class=\"scroll{}{}\"><table{}>", table.rows.size() > long_rows ? " long" : "",
+                      table.header.size() > many_columns ? " dense" : "",
                       holds_words(table) ? " class=words" : "");
   text += "<thead><tr>";
   for (const std::string& name : table.header) text += cell("th", name, name);

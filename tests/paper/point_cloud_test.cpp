@@ -39,7 +39,7 @@ TEST(PoseCloud, ThePlyFileCountsWhatItHolds) {
   EXPECT_THAT(ply, HasSubstr("element vertex 8\n"));
   EXPECT_THAT(ply, HasSubstr("element edge 3\n"));
   EXPECT_THAT(ply, HasSubstr("\n0.0400 0.0000 2.0000 "));
-  EXPECT_EQ(std::count(ply.begin(), ply.end(), '\n'), 13 + 8 + 3);
+  EXPECT_EQ(std::count(ply.begin(), ply.end(), '\n'), 14 + 8 + 3);
 }
 
 TEST(PoseCloud, AnEmptyFrameIsDrawnAndWrittenToo) {

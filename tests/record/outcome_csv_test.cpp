@@ -12,9 +12,9 @@ using ::testing::ElementsAre;
 
 FrameRow scored_row() {
   FrameRow row;
-  row.dataset = "d";
-  row.frame = "f";
-  row.method = "m";
+  row.dataset = "set";
+  row.frame = "frame";
+  row.method = "method";
   row.score = FrameScore{};
   row.score->surfaces = {{1, 7, 500, true, false, 3, 0.75}, {2, 7, 100, false, true, 0, 0}};
   row.score->edges.outcomes = {{4, 7, EdgeKind::convex, true, 40, 30, 20, false}};
@@ -24,14 +24,14 @@ FrameRow scored_row() {
 TEST(SurfacesCsv, HasALinePerSurfaceAndLeavesOpenWhatWasNotFound) {
   const auto rows = parse_csv(surfaces_csv({scored_row()}));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_THAT(rows[1], ElementsAre("d", "f", "m", "1", "7", "500", "1", "0", "3", "0.7500"));
-  EXPECT_THAT(rows[2], ElementsAre("d", "f", "m", "2", "7", "100", "0", "1", "", ""));
+  EXPECT_THAT(rows[1], ElementsAre("set", "frame", "method", "1", "7", "500", "1", "0", "3", "0.7500"));
+  EXPECT_THAT(rows[2], ElementsAre("set", "frame", "method", "2", "7", "100", "0", "1", "", ""));
 }
 
 TEST(EdgesCsv, HasALinePerEdge) {
   const auto rows = parse_csv(edges_csv({scored_row()}));
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_THAT(rows[1], ElementsAre("d", "f", "m", "4", "7", "convex", "1", "40", "30", "20", "0"));
+  EXPECT_THAT(rows[1], ElementsAre("set", "frame", "method", "4", "7", "convex", "1", "40", "30", "20", "0"));
 }
 
 TEST(OutcomeCsv, AFrameWithoutTruthHasNoLines) {
