@@ -66,6 +66,19 @@ std::vector<std::string> extra_predictions(const MethodSpec& method, const Plan&
   return notes;
 }
 
+/// The same experiment wherever its file lies: no path is relative to another place than the data root.
+Experiment with_whole_paths(Experiment experiment) {
+  const auto whole = [](std::filesystem::path& path) {
+    if (!path.empty() && !path.string().starts_with("${")) path = std::filesystem::weakly_canonical(path);
+  };
+  for (DatasetSpec& spec : experiment.datasets) {
+    whole(spec.root);
+    whole(spec.annotations);
+  }
+  for (MethodSpec& method : experiment.methods) whole(method.folder);
+  return experiment;
+}
+
 std::vector<std::string> printable_all(const std::vector<std::string>& texts) {
   std::vector<std::string> result;
   for (const std::string& text : texts) result.push_back(escaped_utf8(text));
@@ -133,7 +146,7 @@ void ExperimentRun::describe_run() {
       observer_.on_note(
           fmt::format("data set {} is read from {}", planned.spec.name, printable(planned.spec.root)));
   directory_.publish("manifest.json", to_json(manifest_));
-  directory_.publish("config.resolved.yaml", write_config(source_));
+  directory_.publish("config.resolved.yaml", write_config(with_whole_paths(source_)));
   directory_.publish("env.json", environment_json());
   directory_.become_latest();
 }

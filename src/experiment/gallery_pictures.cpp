@@ -6,6 +6,7 @@
 #include "experiment/dataset_truth.hpp"
 #include "experiment/experiment_reader.hpp"
 #include "experiment/run_directory.hpp"
+#include "experiment/study_expansion.hpp"
 #include "file/file_bytes.hpp"
 #include "file/image_file.hpp"
 #include "method/registry.hpp"
@@ -56,6 +57,22 @@ void draw_entry(const Experiment& experiment, const Plan& plan, const fs::path& 
   entry.picture = file.generic_string();
 }
 
+Study study_of(const Experiment& experiment) {
+  if (!experiment.ablations.empty()) return Study::ablation;
+  return experiment.sweep.empty() ? Study::none : Study::sweep;
+}
+
+std::string command_of(Study study) {
+  switch (study) {
+    case Study::ablation:
+      return "facet ablate";
+    case Study::sweep:
+      return "facet sweep";
+    default:
+      return "facet run";
+  }
+}
+
 }  // namespace
 
 FrameAgain process_again(const PlannedDataset& planned, std::size_t index, const MethodSpec& spec,
@@ -99,18 +116,20 @@ Report make_gallery(const GalleryRequest& request) {
     throw Error(ErrorKind::not_measured,
                 fmt::format("no frame of {} has a value of {}", printable(request.run), request.metric));
   const fs::path config = request.run / "config.resolved.yaml";
-  const Experiment experiment = load_experiment(config, {}).experiment;
+  const Experiment source = load_experiment(config, {}).experiment;
+  const Study study = study_of(source);
   std::vector<std::string> problems;
   try {
     RunOptions options;
     options.data_root = request.data_root;
+    const Experiment experiment = expand_study(source, study);
     problems = draw_gallery(experiment, make_plan(experiment, options), request.run, entries);
   } catch (const Error& e) {  // without the data there are still the run's own pictures
     if (e.kind() == ErrorKind::internal) throw;
     problems = {std::string("not drawn anew: ") + e.what()};
   }
   write_file_atomically(request.run / "gallery/gallery.json", to_json(entries));
-  ReportSection section = gallery_section(entries, config.string());
+  ReportSection section = gallery_section(entries, command_of(study) + ' ' + config.string());
   section.paragraphs.insert(section.paragraphs.end(), problems.begin(), problems.end());
   const Report report{"Facet: worst frames of " + run.manifest.experiment, {std::move(section)}};
   write_file_atomically(request.run / "report/gallery.html", render_html(report, request.run));

@@ -37,7 +37,7 @@ const FrameScore* score_of(const RunRecord& run, const std::string& method, std:
 class Table2 {
  public:
   explicit Table2(const RunRecord& run) : run_(run) {
-    table_.caption = "Table 2: graspable objects, surfaces and edges found";
+    table_.caption = "Graspable objects, surfaces and edges: there, and found";
     table_.header = {"scene", "kind"};
     for (const Group& group : groups) {
       table_.header.emplace_back(group.name);
@@ -135,9 +135,8 @@ Reproduced reproduce_table3(Reproduction& r) {
     const RunRecord& run = r.run(name);
     ReportTable table = table3_of_paper(run, name);
     result.is_measured = result.is_measured && !table.rows.empty();
-    table.caption =
-        fmt::format("Table 3: {}", std::string(name) == "table2" ? "the eight scenes of Table 2 [ms]"
-                                                                 : "scenes of 1 to 20 objects [ms]");
+    table.caption = std::string(name) == "table2" ? "Time per stage on the eight scenes of Table 2 [ms]"
+                                                  : "Time per stage on scenes of 1 to 20 objects [ms]";
     result.latex += latex_table(table);
     result.section.tables.push_back(std::move(table));
     ReportSection times = timing_section(run);

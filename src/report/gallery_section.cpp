@@ -21,7 +21,7 @@ std::string value_text(const std::optional<double>& value) {
 
 }  // namespace
 
-ReportSection gallery_section(const std::vector<GalleryEntry>& entries, const std::string& config_file) {
+ReportSection gallery_section(const std::vector<GalleryEntry>& entries, const std::string& command) {
   ReportSection section;
   section.title = "Worst frames";
   ReportTable table;
@@ -37,8 +37,7 @@ ReportSection gallery_section(const std::vector<GalleryEntry>& entries, const st
       row.push_back(value_text(e.baseline));
       caption += ", before " + row.back();
     }
-    row.push_back(
-        fmt::format("facet run {} --filter '^{}$'", config_file, literal_pattern(e.dataset + '/' + e.frame)));
+    row.push_back(fmt::format("{} --filter '^{}$'", command, literal_pattern(e.dataset + '/' + e.frame)));
     table.rows.push_back(std::move(row));
     section.pictures.push_back({std::move(caption), e.picture});
   }

@@ -7,8 +7,8 @@
 
 namespace facet {
 
-/// Worst frames with their pictures and, for each, the command that runs it again with the experiment in
-/// `config_file`.
-ReportSection gallery_section(const std::vector<GalleryEntry>& entries, const std::string& config_file);
+/// Worst frames with their pictures and, for each, how to run it again: `command`, for example "facet run
+/// exp.yaml", with its filter.
+ReportSection gallery_section(const std::vector<GalleryEntry>& entries, const std::string& command);
 
 }  // namespace facet

@@ -53,7 +53,7 @@ const std::vector<std::string>& report_formats() {
 }
 
 std::string latex_document(const std::string& body) {
-  return "\\documentclass{article}\n\\usepackage[a4paper,margin=2cm]{geometry}\n\\usepackage{graphicx}\n"
+  return "\\documentclass{article}\n\\usepackage[a4paper,landscape,margin=1.5cm]{geometry}\n\\usepackage{graphicx}\n"
          "\\begin{document}\n" +
          body + "\\end{document}\n";
 }
