@@ -33,21 +33,22 @@ td.part { padding-left: 1.1rem; opacity: .8; } td.good { color: #0a8560; font-we
 td.bad { color: #c2410c; font-weight: 600; }
 @media (prefers-color-scheme: dark) { td.good { color: #45d3a3; } td.bad { color: #ff9550; } }
 .note { font-size: .85rem; opacity: .8; margin: .2rem 0; overflow-wrap: anywhere; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); gap: .9rem; margin: 1rem 0; }
+.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)); gap: .9rem; margin: 1rem 0; }
 .tile, .plot { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: .8rem 1rem; }
 .tile h3, .plot h3 { font-size: .95rem; margin: 0 0 .5rem; }
-.tile dl { margin: 0; display: grid; grid-template-columns: auto auto; gap: .1rem .8rem; align-items: baseline; }
-.tile dt { font-size: .86rem; opacity: .8; } .tile dd { margin: 0; text-align: right; font-variant-numeric: tabular-nums; }
+.tile dl { margin: 0; display: grid; grid-template-columns: 1fr auto; gap: .1rem .8rem; align-items: baseline; }
+.tile dt { font-size: .86rem; opacity: .8; } .tile dd { margin: 0; text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 .tile dd:first-of-type { font-size: 1.7rem; font-weight: 650; line-height: 1.2; color: var(--accent); }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 27rem), 1fr)); gap: .9rem; margin: .8rem 0; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 34rem), 1fr)); gap: 1rem; }
 figure { margin: 0; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 6px; }
 figcaption { font-size: .85rem; overflow-wrap: anywhere; padding: .15rem 0 .4rem; }
 figcaption code { font-size: .8rem; }
-@media (max-width: 40rem) { body { padding: .6rem .8rem 3rem; } th, td { padding: .26rem .5rem; } table { font-size: .84rem; } }
+@media (max-width: 40rem) { .chart { font-size: 13.5px; } .chart .tick { font-size: 12.5px; } body { padding: .6rem .8rem 3rem; } th, td { padding: .26rem .5rem; } table { font-size: .84rem; } }
 @media print {
   body { max-width: none; font-size: 10.5pt; } nav { display: none; } .scroll { overflow: visible; max-height: none; }
-  .plot, .tile, figure, tr { break-inside: avoid; } h2 { break-after: avoid; }
+  .plot, .tile, figure, tr { break-inside: avoid; } h2, .caption { break-after: avoid; }
+  html { background: none; } .chart { max-height: 21cm; } th { white-space: normal; } th, td { padding: .15rem .3rem; }
   table { font-size: 8pt; } th:first-child, td:first-child { position: static; } }
 )";
 

@@ -33,5 +33,24 @@ TEST(ShippedConfigs, EveryExperimentCanBeRead) {
   EXPECT_GE(read, 6);
 }
 
+TEST(ShippedConfigs, EveryReproductionCanBeReadAndItsQuickFormHasTheMethodsOfTheFullOne) {
+  int read = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(configs / "reproduce")) {
+    if (entry.path().extension() != ".yaml") continue;
+    EXPECT_NO_THROW(load_experiment(entry.path())) << entry.path();
+    ++read;
+  }
+  EXPECT_GE(read, 11);
+  for (const char* name : {"table2.yaml", "clutter.yaml", "invariance.yaml", "thin.yaml"}) {
+    const Experiment quick = load_experiment(configs / "reproduce/quick" / name).experiment;
+    const Experiment full = load_experiment(configs / "reproduce/full" / name).experiment;
+    EXPECT_EQ(quick.name, full.name);
+    ASSERT_EQ(quick.methods.size(), full.methods.size());
+    ASSERT_EQ(quick.datasets.size(), full.datasets.size());
+    for (std::size_t i = 0; i < full.datasets.size(); ++i)
+      EXPECT_EQ(quick.datasets[i].name, full.datasets[i].name);
+  }
+}
+
 }  // namespace
 }  // namespace facet
