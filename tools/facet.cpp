@@ -30,6 +30,7 @@ struct Arguments {
   facet::ScoreRequest score;
   SynthOptions synth;
   std::string list_what;
+  std::vector<std::string> run_directories;
 };
 
 void add_config_options(CLI::App& command, Arguments& a) {
@@ -78,6 +79,9 @@ void add_run(CLI::App& app, Arguments& a) {
     add_config_options(*run, a);
     add_frame_options(*run, a);
     run->add_flag("--dry-run", a.dry_run, "say what would run and stop");
+    run->add_option_function<std::string>(
+        "--shard", [&a](const std::string& text) { a.run.shard = facet::parse_shard(text); },
+        "only part I of N, to be joined by facet merge");
     run->add_option("--backend", a.run.backend, "cpu, cuda or auto")
         ->check(CLI::IsMember({"cpu", "cuda", "auto"}))
         ->capture_default_str();
@@ -144,7 +148,14 @@ void add_others(CLI::App& app, Arguments& a) {
   add_data_root(*app.add_subcommand("doctor", "what this machine and this binary have"), a);
 }
 
+void add_merge(CLI::App& app, Arguments& a) {
+  CLI::App* merge = app.add_subcommand("merge", "join the shards of a run");
+  merge->add_option("run", a.run_directories, "run directories of all shards")->required();
+  merge->add_option("-o,--out", a.run.out, "results root")->capture_default_str();
+}
+
 int dispatch(const CLI::App& app, Arguments& a) {
+  if (app.got_subcommand("merge")) return command_merge(a.run_directories, a.run);
   if (a.seed) a.run.overrides.push_back(fmt::format("seed={}", *a.seed));
   if (app.got_subcommand("run") || app.got_subcommand("ablate") || app.got_subcommand("sweep")) {
     a.run.config_file = a.file;
@@ -202,6 +213,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   add_run(app, arguments);
+  add_merge(app, arguments);
   add_scoring(app, arguments);
   add_synth(app, arguments);
   add_others(app, arguments);

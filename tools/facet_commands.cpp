@@ -17,6 +17,7 @@
 #include "experiment/data_root.hpp"
 #include "experiment/dataset_text.hpp"
 #include "experiment/environment.hpp"
+#include "experiment/merge.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/selftest.hpp"
 #include "experiment/study_expansion.hpp"
@@ -112,6 +113,13 @@ int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_r
   }
   return finish_run(
       voice, [&](Progress& progress) { return facet::run_experiment(options, progress, stop_signal); });
+}
+
+int command_merge(const std::vector<std::string>& shards, const facet::RunOptions& options) {
+  const facet::RunOutcome outcome =
+      facet::merge_runs({shards.begin(), shards.end()}, options.out, options.command);
+  fmt::print("{}\nrun directory: {}\n", facet::render_console(outcome.report), outcome.directory.string());
+  return outcome.exit_code;
 }
 
 int command_score(const facet::ScoreRequest& request, const facet::RunOptions& options, const Voice& voice) {

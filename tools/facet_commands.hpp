@@ -28,6 +28,8 @@ const std::atomic<int>& stop_on_signals();
 // facet::Error.
 
 int command_run(const facet::RunOptions& options, const Voice& voice, bool dry_run);
+/// Joins the shards of a run.
+int command_merge(const std::vector<std::string>& shards, const facet::RunOptions& options);
 /// Scores the predictions that anyone's program wrote.
 int command_score(const facet::ScoreRequest& request, const facet::RunOptions& options, const Voice& voice);
 /// Scores the truth of a data set as a prediction; 1 where that is not perfect.

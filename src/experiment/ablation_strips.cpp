@@ -15,31 +15,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct ShownMethod {
+  std::string name, title;
+};
+
+/// "fill-wiener" of "paper.fill-wiener".
+std::string variant_of(const std::string& method) {
+  return method.substr(method.find('.') + 1);
+}
+
 /// Methods of every ablation in the order in which they are shown; the key is "DESIGN_BASE".
-std::map<std::string, std::vector<std::string>> shown_methods(const AblationPlan& ablation) {
-  std::map<std::string, std::vector<std::string>> shown;
+std::map<std::string, std::vector<ShownMethod>> shown_methods(const AblationPlan& ablation) {
+  std::map<std::string, std::vector<ShownMethod>> shown;
   for (const AblationComparison& comparison : ablation.comparisons) {
     auto& methods = shown[fmt::format("{}_{}", enum_name(comparison.design), comparison.base)];
-    const auto show = [&](const std::string& method) {
-      if (std::find(methods.begin(), methods.end(), method) == methods.end()) methods.push_back(method);
+    const auto show = [&](const std::string& method, const std::string& title) {
+      const auto is_shown = [&](const ShownMethod& m) { return m.name == method; };
+      if (std::none_of(methods.begin(), methods.end(), is_shown)) methods.push_back({method, title});
     };
+    const std::string& name = comparison.switch_name;
     // What stays the same from row to row comes first.
     const bool from_all = comparison.design == AblationDesign::leave_one_out;
+    const bool adds = comparison.design == AblationDesign::cumulative;
     for (const auto& [with, without] : comparison.pairs) {
-      show(from_all ? with : without);
-      show(from_all ? without : with);
+      if (from_all) show(with, "all");
+      show(without, from_all ? "without " + name : adds ? "none" : variant_of(without));
+      if (!from_all) show(with, adds ? "+ " + name : variant_of(with));
     }
   }
   return shown;
 }
 
-std::vector<StripStep> read_steps(const fs::path& predictions, const std::vector<std::string>& methods,
+std::vector<StripStep> read_steps(const fs::path& predictions, const std::vector<ShownMethod>& methods,
                                   const fs::path& dataset, const std::string& frame) {
   std::vector<StripStep> steps;
-  for (const std::string& method : methods) {
+  for (const auto& [method, title] : methods) {
     const fs::path stem = predictions / method / dataset / frame;
     if (!fs::exists(PredictionFiles(stem).labels)) return {};
-    steps.push_back({method.substr(method.find('.') + 1), read_prediction(stem)});
+    steps.push_back({title, read_prediction(stem)});
   }
   return steps;
 }

@@ -11,15 +11,13 @@
 #include "experiment/config_writer.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/gallery_pictures.hpp"
+#include "experiment/publish_rows.hpp"
 #include "experiment/study_expansion.hpp"
 #include "experiment/timing_pass.hpp"
 #include "file/file_bytes.hpp"
 #include "method/stored_predictions.hpp"
-#include "record/metrics_summary.hpp"
-#include "record/outcome_csv.hpp"
 #include "report/timing_summary.hpp"
 #include "report/write_report.hpp"
-#include "study/ablation_effects.hpp"
 
 namespace facet {
 namespace {
@@ -44,15 +42,6 @@ std::vector<std::string> gaps_of(const PlannedDataset& planned) {
         fmt::format("data set {}: {}: {}", planned.spec.name, planned.data->frame_id(frame), shortfall));
   }
   return gaps;
-}
-
-/// Pose scores are wanted by themselves only where some truth has planes.
-ScoreGroups wanted_scores(const Experiment& experiment, const std::vector<FrameRow>& rows) {
-  const ScoreOptions& score = experiment.score;
-  const bool known = std::any_of(rows.begin(), rows.end(),
-                                 [](const FrameRow& row) { return row.score && row.score->annotated.poses; });
-  const bool poses = score.pose == PoseScoring::on || (score.pose == PoseScoring::automatic && known);
-  return {score.surfaces, score.edges, score.objects, poses};
 }
 
 /// Stored predictions that belong to no frame of the run's data sets.
@@ -100,35 +89,37 @@ ExperimentRun::ExperimentRun(const Experiment& experiment, const RunOptions& opt
 
 RunOutcome ExperimentRun::execute() {
   describe_run();
+  adopt_points();
   AccuracyPass pass(experiment_, plan_, identity_, directory_, options_, observer_, stop_signal_);
   rows_ = pass.run();
-  count_rows();
+  count_rows(rows_, manifest_);
   note_gaps();
   publish_lock(pass.work().data_lock());
   const bool stopped_early = options_.fail_fast && failed() > 0;
-  if (stop_signal_ == 0) {
-    publish_metrics();
-    publish_gallery();
-    if (!stopped_early) time_methods(pass);
-    publish_study();
-  }
+  if (stop_signal_ == 0) publish_results(pass, stopped_early);
   return finish(stopped_early);
 }
 
 RunDirectory ExperimentRun::open_directory() {
+  // The parts of a run have folders of their own.
+  const std::string build =
+      build_info().name() + (options_.shard.is_whole()
+                                 ? ""
+                                 : fmt::format("-shard{}of{}", options_.shard.index, options_.shard.count));
   if (options_.resume) {
-    if (auto found =
-            RunDirectory::find(options_.out, experiment_.name, identity_.config_hash, build_info().name())) {
+    if (auto found = RunDirectory::find(options_.out, experiment_.name, identity_.config_hash, build)) {
       observer_.on_note("resuming " + printable(found->path()));
       return *found;
     }
     observer_.on_note("nothing to resume, starting anew");
   }
-  return RunDirectory::create(options_.out, experiment_.name, identity_.config_hash, build_info().name());
+  return RunDirectory::create(options_.out, experiment_.name, identity_.config_hash, build);
 }
 
 void ExperimentRun::describe_run() {
   manifest_.experiment = experiment_.name;
+  manifest_.study = study_name(options_.study);
+  manifest_.shard = options_.shard.text();
   manifest_.command = printable_all(options_.command);
   manifest_.config_hash = identity_.config_hash;
   manifest_.build = identity_.build;
@@ -151,14 +142,6 @@ void ExperimentRun::describe_run() {
   directory_.become_latest();
 }
 
-void ExperimentRun::count_rows() {
-  for (const FrameRow& row : rows_) {
-    manifest_.frames_ok += row.status == FrameStatus::ok;
-    manifest_.frames_data_error += row.status == FrameStatus::data_error;
-    manifest_.frames_method_error += row.status == FrameStatus::method_error;
-  }
-}
-
 void ExperimentRun::note_gaps() {
   for (const PlannedDataset& planned : plan_.datasets) {
     for (std::string& gap : gaps_of(planned)) manifest_.notes.push_back(std::move(gap));
@@ -174,17 +157,6 @@ void ExperimentRun::publish_lock(const DataLock& lock) {
     roots[planned.spec.name] = folder.empty() ? planned.spec.root : folder;
   }
   directory_.publish("dataset.lock.json", lock.to_json(roots));
-}
-
-void ExperimentRun::publish_metrics() {
-  std::string lines;
-  for (const FrameRow& row : rows_) lines += to_json_line(row);
-  directory_.publish("frames.jsonl", lines);
-  directory_.publish("metrics/frames.csv", frames_csv(rows_));
-  directory_.publish("metrics/surfaces.csv", surfaces_csv(rows_));
-  directory_.publish("metrics/edges.csv", edges_csv(rows_));
-  directory_.publish("metrics/summary.json",
-                     metrics_summary_json(manifest_, rows_, wanted_scores(experiment_, rows_)));
 }
 
 void ExperimentRun::publish_gallery() {
@@ -203,10 +175,15 @@ void ExperimentRun::time_methods(const AccuracyPass& pass) {
   FrameKeys keys;
   for (const FrameRow& row : rows_)
     if (row.status == FrameStatus::ok) keys.insert({row.dataset, row.frame, row.method});
+  for (const TimingSample& sample : adopted_.timing.samples)
+    keys.erase({sample.dataset, sample.frame, sample.method});
   const Calibration calibration = measure_calibration();
   Timings timings = run_timing_pass(experiment_, plan_, keys, observer_, stop_signal_);
   if (stop_signal_ != 0) return;
+  timings.table.samples.insert(timings.table.samples.end(), adopted_.timing.samples.begin(),
+                               adopted_.timing.samples.end());
   std::vector<IoTime> io_times = std::move(timings.io_times);
+  io_times.insert(io_times.end(), adopted_.io_times.begin(), adopted_.io_times.end());
   io_times.insert(io_times.end(), pass.work().write_times().begin(), pass.work().write_times().end());
   directory_.publish("timing/calibration.json", to_json(calibration));
   directory_.publish("timing/io.csv", to_csv(io_times));
@@ -214,15 +191,26 @@ void ExperimentRun::time_methods(const AccuracyPass& pass) {
   directory_.publish("timing/samples.csv", to_csv(timings.table));
 }
 
-void ExperimentRun::publish_study() {
-  if (options_.study != Study::ablation || stop_signal_ != 0) return;
-  const AblationPlan plan = plan_ablations(source_.ablations, source_.methods);
-  directory_.publish("metrics/ablation.json",
-                     ablation_to_json(ablation_effects(plan, rows_, manifest_.datasets)));
-  const std::vector<AblationRow> costs = ablation_costs(plan, read_run(directory_.path()));
-  directory_.publish("timing/ablation.json", ablation_to_json(costs));
-  if (experiment_.outputs.overlays && experiment_.outputs.predictions)
-    write_ablation_strips(plan, plan_, directory_.path());
+void ExperimentRun::publish_results(const AccuracyPass& pass, bool stopped_early) {
+  publish_rows(directory_, experiment_, manifest_, rows_);
+  publish_gallery();
+  if (!stopped_early) time_methods(pass);
+  // What is paired over all frames is for the whole run: merge does it for shards.
+  if (stop_signal_ != 0 || !options_.shard.is_whole()) return;
+  publish_study(directory_, source_, options_.study);
+  if (options_.study == Study::ablation && experiment_.outputs.overlays && experiment_.outputs.predictions)
+    write_ablation_strips(plan_ablations(source_.ablations, source_.methods), plan_, directory_.path());
+}
+
+/// Points that an earlier sweep has computed are taken over as if this run had been resumed.
+void ExperimentRun::adopt_points() {
+  if (options_.study != Study::sweep || options_.resume) return;
+  adopted_ = adopt_earlier_points(experiment_, identity_, directory_);
+  if (adopted_.rows.empty()) return;
+  manifest_.notes.push_back(fmt::format(
+      "{} of {} frames times points are those of earlier runs, and so are the times of {} samples",
+      adopted_.rows.size(), plan_.frame_count(), adopted_.timing.samples.size()));
+  observer_.on_note(manifest_.notes.back());
 }
 
 int ExperimentRun::exit_code(bool stopped_early) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "experiment/accuracy_pass.hpp"
+#include "experiment/earlier_points.hpp"
 #include "experiment/run_directory.hpp"
 #include "experiment/runner.hpp"
 #include "record/manifest.hpp"
@@ -20,14 +21,13 @@ class ExperimentRun {
  private:
   RunDirectory open_directory();
   void describe_run();
-  void count_rows();
   void note_gaps();
   int failed() const { return manifest_.frames_data_error + manifest_.frames_method_error; }
   void publish_lock(const DataLock& lock);
-  void publish_metrics();
+  void publish_results(const AccuracyPass& pass, bool stopped_early);
+  void adopt_points();
   void publish_gallery();
   void time_methods(const AccuracyPass& pass);
-  void publish_study();
   int exit_code(bool stopped_early) const;
   RunOutcome finish(bool stopped_early);
 
@@ -41,6 +41,7 @@ class ExperimentRun {
   RunDirectory directory_;
   Manifest manifest_;
   std::vector<FrameRow> rows_;
+  EarlierPoints adopted_;
 };
 
 }  // namespace facet

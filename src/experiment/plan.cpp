@@ -1,6 +1,7 @@
 #include "experiment/plan.hpp"
 
 #include <fmt/format.h>
+#include <map>
 #include <regex>
 
 #include "core/error.hpp"
@@ -42,6 +43,21 @@ void add_units(Plan& plan, std::size_t method, std::size_t dataset) {
   for (const std::size_t frame : planned.frames) plan.units.push_back({method, dataset, {frame}});
 }
 
+/// Keeps the units of one shard. All methods of a frame are in the same, so that their times are taken beside
+/// each other.
+void keep_shard(Plan& plan, const Shard& shard) {
+  if (shard.is_whole()) return;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> number;  // data set and first frame -> position
+  for (const Unit& unit : plan.units) number.try_emplace({unit.dataset, unit.frames.front()}, number.size());
+  const auto count = static_cast<std::size_t>(shard.count), kept = static_cast<std::size_t>(shard.index - 1);
+  std::erase_if(plan.units, [&](const Unit& unit) {
+    return number.at({unit.dataset, unit.frames.front()}) % count != kept;
+  });
+  if (plan.units.empty())
+    throw Error(ErrorKind::not_measured, fmt::format("--shard {}: there are only {} frames and sequences",
+                                                     shard.text(), number.size()));
+}
+
 }  // namespace
 
 std::size_t Plan::frame_count() const {
@@ -59,6 +75,7 @@ Plan make_plan(const Experiment& experiment, const RunOptions& options) {
     for (std::size_t dataset = 0; dataset < plan.datasets.size(); ++dataset) add_units(plan, method, dataset);
   if (plan.units.empty())
     throw Error(ErrorKind::not_measured, fmt::format("no frame is left after --filter {}", options.filter));
+  keep_shard(plan, options.shard);
   return plan;
 }
 

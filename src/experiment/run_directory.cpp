@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "core/error.hpp"
@@ -26,6 +27,19 @@ std::string directory_suffix(const std::string& config_hash, const std::string& 
 }
 
 }  // namespace
+
+RunDirectory::RunDirectory(fs::path path) : path_(std::move(path)) {
+  const fs::path file = path_ / ".lock";
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail_write(file);
+  lock_ = std::shared_ptr<const int>(new int(descriptor), [](const int* held) {
+    ::close(*held);
+    delete held;
+  });
+  // The system gives it up with the process, however that ends.
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
+    throw Error(ErrorKind::internal, fmt::format("{}: another process writes to this run", printable(path_)));
+}
 
 LineLog::LineLog(fs::path file) : file_(std::move(file)) {
   descriptor_ = ::open(file_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -42,8 +43,10 @@ class RunDirectory {
   void become_latest() const;
 
  private:
-  explicit RunDirectory(std::filesystem::path path) : path_(std::move(path)) {}
+  /// Throws Error{internal} where another process writes to it.
+  explicit RunDirectory(std::filesystem::path path);
   std::filesystem::path path_;
+  std::shared_ptr<const int> lock_;  ///< held until the last copy is gone, or the process
 };
 
 /// A name that is safe as one part of a path on any file system and different for different ids: letters,

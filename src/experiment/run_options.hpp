@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "experiment/shard.hpp"
+
 namespace facet {
 
 /// Which study of an experiment file runs.
@@ -24,6 +26,7 @@ struct RunOptions {
   std::string backend = "auto";  ///< cpu, cuda or auto
   std::string filter;            ///< regular expression searched in "dataset/frame"; empty = all
   std::optional<int> limit;      ///< first N frames of every data set
+  Shard shard;                   ///< the part of the run that is done
   int jobs = 1;
   int max_failures = 0;  ///< more failed frames than this make the run fail
   bool resume = false;

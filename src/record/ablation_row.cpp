@@ -1,8 +1,7 @@
 #include "record/ablation_row.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "core/error.hpp"
+#include "record/optional_json.hpp"
 
 namespace facet {
 namespace {
@@ -34,12 +33,7 @@ std::string ablation_to_json(const std::vector<AblationRow>& rows) {
   Json list = Json::array();
   for (const AblationRow& row : rows) {
     Json json;
-    visit_row(row, [&](const char* key, const auto& value) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
-        json[key] = value ? Json(*value) : Json(nullptr);
-      else
-        json[key] = value;
-    });
+    visit_row(row, [&](const char* key, const auto& value) { json[key] = value; });
     list.push_back(std::move(json));
   }
   return Json{{"schema_version", 1}, {"rows", list}}.dump(1) + '\n';
@@ -51,13 +45,7 @@ std::vector<AblationRow> ablation_from_json(std::string_view text) {
     const Json document = Json::parse(text);
     for (const Json& json : document.at("rows")) {
       AblationRow row;
-      visit_row(row, [&](const char* key, auto& value) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>) {
-          if (!json.at(key).is_null()) value = json.at(key).get<double>();
-        } else {
-          json.at(key).get_to(value);
-        }
-      });
+      visit_row(row, [&](const char* key, auto& value) { json.at(key).get_to(value); });
       rows.push_back(std::move(row));
     }
   } catch (const nlohmann::json::exception& e) {

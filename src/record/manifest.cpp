@@ -41,6 +41,13 @@ void visit_manifest(M& m, Visitor&& visit) {
   visit("notes", m.notes);
 }
 
+/// Keys that manifests of earlier versions lack.
+template <class M, class Visitor>
+void visit_later_keys(M& m, Visitor&& visit) {
+  visit("study", m.study);
+  visit("shard", m.shard);
+}
+
 }  // namespace
 
 std::string_view status_name(RunStatus status) {
@@ -51,7 +58,9 @@ std::string to_json(const Manifest& manifest) {
   Json json;
   json["schema_version"] = Manifest::schema_version;
   json["status"] = std::string(status_name(manifest.status));
-  visit_manifest(manifest, [&](const char* key, const auto& value) { json[key] = value; });
+  const auto write = [&](const char* key, const auto& value) { json[key] = value; };
+  visit_manifest(manifest, write);
+  visit_later_keys(manifest, write);
   return json.dump(2) + '\n';
 }
 
@@ -64,6 +73,9 @@ Manifest manifest_from_json(std::string_view text) {
                   "manifest: schema_version " + json.at("schema_version").dump() + " is not 1");
     manifest.status = status_from(json.at("status").get<std::string>());
     visit_manifest(manifest, [&](const char* key, auto& value) { json.at(key).get_to(value); });
+    visit_later_keys(manifest, [&](const char* key, auto& value) {
+      if (json.contains(key)) json.at(key).get_to(value);
+    });
   } catch (const nlohmann::json::exception& e) {
     throw Error(ErrorKind::data, std::string("not a manifest: ") + e.what());
   }

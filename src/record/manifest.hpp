@@ -21,6 +21,8 @@ struct Manifest {
 
   RunStatus status = RunStatus::running;
   std::string experiment;
+  std::string study;  ///< "ablation" or "sweep"; empty: the methods as they are
+  std::string shard;  ///< "2/4"; empty: the whole
   std::vector<std::string> command;
   std::string config_hash;
   std::string build;

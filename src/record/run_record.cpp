@@ -72,6 +72,9 @@ RunRecord read_run(const fs::path& directory) {
   for (const char* file : {"metrics/ablation.json", "timing/ablation.json"})
     if (const std::string text = read_text_if_any(directory / file); !text.empty())
       for (AblationRow& row : ablation_from_json(text)) run.ablation.push_back(std::move(row));
+  for (const char* file : {"metrics/sweep.json", "timing/sweep.json"})
+    if (const std::string text = read_text_if_any(directory / file); !text.empty())
+      for (SweepRow& row : sweep_from_json(text)) run.sweep.push_back(std::move(row));
   run.timing = timing_from_csv(read_text_if_any(directory / "timing/samples.csv"));
   run.io_times = io_times_from_csv(read_text_if_any(directory / "timing/io.csv"));
   try {

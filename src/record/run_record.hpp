@@ -12,6 +12,7 @@
 #include "record/gallery.hpp"
 #include "record/manifest.hpp"
 #include "record/metrics_summary.hpp"
+#include "record/sweep_row.hpp"
 #include "record/timing_row.hpp"
 
 namespace facet {
@@ -33,7 +34,8 @@ struct RunRecord {
   std::vector<IoTime> io_times;
   std::vector<GalleryEntry> gallery;
   std::optional<Calibration> calibration;
-  std::vector<AblationRow> ablation;  ///< scores, then costs
+  std::vector<AblationRow> ablation;                             ///< scores, then costs
+  std::vector<SweepRow> sweep;                                   ///< scores, then times
   std::vector<std::pair<std::string, std::string>> environment;  ///< of env.json, nested keys joined by dots
 };
 

@@ -81,6 +81,7 @@ Report make_run_report(const RunRecord& run) {
     return section.paragraphs.empty() && section.tables.empty() && section.pictures.empty();
   });
   if (!run.ablation.empty()) report.sections.insert(report.sections.begin() + 1, ablation_section(run));
+  if (!run.sweep.empty()) report.sections.insert(report.sections.begin() + 1, sweep_section(run));
   return report;
 }
 

@@ -15,6 +15,7 @@ ReportSection summary_section(const RunRecord& run);
 ReportSection detection_section(const RunRecord& run);
 ReportSection score_detail_section(const RunRecord& run);
 ReportSection ablation_section(const RunRecord& run);
+ReportSection sweep_section(const RunRecord& run);
 ReportSection timing_section(const RunRecord& run);
 ReportSection timing_detail_section(const RunRecord& run);
 ReportSection clutter_section(const RunRecord& run);

@@ -1,0 +1,93 @@
+#include "experiment/publish_rows.hpp"
+
+#include <algorithm>
+
+#include "experiment/sweep_plan.hpp"
+#include "record/outcome_csv.hpp"
+#include "report/timing_summary.hpp"
+#include "study/ablation_effects.hpp"
+
+namespace facet {
+namespace {
+
+/// Pose scores are wanted by themselves only where some truth has planes.
+ScoreGroups wanted_scores(const Experiment& experiment, const std::vector<FrameRow>& rows) {
+  const ScoreOptions& score = experiment.score;
+  const bool known = std::any_of(rows.begin(), rows.end(),
+                                 [](const FrameRow& row) { return row.score && row.score->annotated.poses; });
+  const bool poses = score.pose == PoseScoring::on || (score.pose == PoseScoring::automatic && known);
+  return {score.surfaces, score.edges, score.objects, poses};
+}
+
+void publish_ablation(const RunDirectory& directory, const Experiment& experiment, const RunRecord& run) {
+  const AblationPlan plan = plan_ablations(experiment.ablations, experiment.methods);
+  directory.publish("metrics/ablation.json",
+                    ablation_to_json(ablation_effects(plan, run.frames, run.manifest.datasets)));
+  directory.publish("timing/ablation.json", ablation_to_json(ablation_costs(plan, run)));
+}
+
+SweepRow row_at(const SweepPoint& point, const std::string& dataset, const std::string& measure) {
+  SweepRow row;
+  row.method = point.method.name;
+  row.base = point.base;
+  row.settings = point.settings;
+  row.dataset = dataset;
+  row.measure = measure;
+  return row;
+}
+
+void publish_sweep(const RunDirectory& directory, const Experiment& experiment, const RunRecord& run) {
+  std::vector<SweepRow> scores, times;
+  const std::vector<TimingSummary> timing = summarize_timing(run.timing);
+  for (const SweepPoint& point : plan_sweep(experiment)) {
+    for (const ScoreResult& result : run.scores) {
+      if (result.method != point.method.name) continue;
+      for (const std::string& measure : AblationOptions{}.metrics) {
+        const ScoreCell& cell = result.cell(measure);
+        scores.push_back(row_at(point, result.dataset, measure));
+        scores.back().value = cell.value;
+        scores.back().lo = cell.lo;
+        scores.back().hi = cell.hi;
+        scores.back().reason = cell.reason;
+      }
+    }
+    for (const TimingSummary& summary : timing) {
+      if (summary.method != point.method.name) continue;
+      times.push_back(row_at(point, summary.dataset, "total_ms"));
+      times.back().value = summary.total.mean_ms;
+    }
+  }
+  directory.publish("metrics/sweep.json", sweep_to_json(scores));
+  directory.publish("timing/sweep.json", sweep_to_json(times));
+}
+
+}  // namespace
+
+void publish_rows(const RunDirectory& directory, const Experiment& experiment, const Manifest& manifest,
+                  const std::vector<FrameRow>& rows) {
+  std::string lines;
+  for (const FrameRow& row : rows) lines += to_json_line(row);
+  directory.publish("frames.jsonl", lines);
+  directory.publish("metrics/frames.csv", frames_csv(rows));
+  directory.publish("metrics/surfaces.csv", surfaces_csv(rows));
+  directory.publish("metrics/edges.csv", edges_csv(rows));
+  directory.publish("metrics/summary.json",
+                    metrics_summary_json(manifest, rows, wanted_scores(experiment, rows)));
+}
+
+void publish_study(const RunDirectory& directory, const Experiment& experiment, Study study) {
+  if (study == Study::none) return;
+  const RunRecord run = read_run(directory.path());
+  if (study == Study::ablation) publish_ablation(directory, experiment, run);
+  if (study == Study::sweep) publish_sweep(directory, experiment, run);
+}
+
+void count_rows(const std::vector<FrameRow>& rows, Manifest& manifest) {
+  for (const FrameRow& row : rows) {
+    manifest.frames_ok += row.status == FrameStatus::ok;
+    manifest.frames_data_error += row.status == FrameStatus::data_error;
+    manifest.frames_method_error += row.status == FrameStatus::method_error;
+  }
+}
+
+}  // namespace facet
