@@ -29,6 +29,7 @@ th { font-weight: 600; border-bottom: 2px solid var(--line); } tbody tr:hover td
 th:first-child, td:first-child { position: sticky; left: 0; background: var(--page); text-align: left; padding-left: .1rem; }
 th.other, td.other { opacity: .72; font-style: italic; }
 .words td { text-align: left; white-space: normal; overflow-wrap: anywhere; } .words th { text-align: left; }
+.words:has(th:nth-child(4)) { min-width: 46rem; } .words td.good, .words td.bad { white-space: nowrap; }
 td.part { padding-left: 1.1rem; opacity: .8; } td.good { color: #0a8560; font-weight: 600; }
 td.bad { color: #c2410c; font-weight: 600; }
 @media (prefers-color-scheme: dark) { td.good { color: #45d3a3; } td.bad { color: #ff9550; } }

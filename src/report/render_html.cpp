@@ -52,7 +52,7 @@ std::string cell(const char* tag, const std::string& column, const std::string& 
 
 std::string table_html(const ReportTable& table) {
   constexpr std::size_t long_rows = 30;     // more than these scroll under their header
-  constexpr std::size_t many_columns = 14;  // more than these stand closer together
+  constexpr std::size_t many_columns = 10;  // more than these stand closer together
   std::string text;
   if (!table.caption.empty()) text += fmt::format("<p class=caption>{}</p>", escaped_markup(table.caption));
   text += fmt::format("<div class=\"scroll{}{}\"><table{}>", table.rows.size() > long_rows ? " long" : "",
