@@ -109,6 +109,7 @@ RunDirectory ExperimentRun::open_directory() {
   if (options_.resume) {
     if (auto found = RunDirectory::find(options_.out, experiment_.name, identity_.config_hash, build)) {
       observer_.on_note("resuming " + printable(found->path()));
+      remove_temporary_files(found->path());  // what a kill in the middle of a write has left
       return *found;
     }
     observer_.on_note("nothing to resume, starting anew");
