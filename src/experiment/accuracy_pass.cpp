@@ -9,7 +9,6 @@
 #include <tbb/task_arena.h>
 #include <utility>
 
-#include "file/file_bytes.hpp"
 #include "method/registry.hpp"
 #include "record/run_record.hpp"
 
@@ -49,7 +48,6 @@ AccuracyPass::AccuracyPass(const Experiment& experiment, const Plan& plan, const
 }
 
 void AccuracyPass::restore_finished() {
-  remove_temporary_files(directory_.path());  // of an attempt that was killed while it wrote
   std::ifstream input(directory_.path() / "frames.jsonl", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(input), {}};
   std::vector<FrameRow> kept;
