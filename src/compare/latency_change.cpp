@@ -105,6 +105,23 @@ void estimate(const StagePairs& stage, const BootstrapOptions& options, Compared
   value.interval = percentile_interval(std::move(replicates));
 }
 
+/// One run each holds no scatter between runs. Where repeats of a frame already differ by more than the
+/// tolerance, a change that exceeds it proves a busy machine as much as a slow build.
+void doubt(const std::vector<RoundTimes>& rounds, const std::string& stage, ComparedValue& value) {
+  if (rounds.size() > 1 || (value.verdict != Verdict::regressed && value.verdict != Verdict::improved))
+    return;
+  const auto scatter_in = [&](const QuietTimes& times) {
+    return times.scatter[index_of_stage(times, stage)];
+  };
+  const double scatter = std::max(scatter_in(rounds.front().before), scatter_in(rounds.front().after));
+  const double tolerance = std::max(value.rule.rel_tolerance, value.rule.abs_tolerance / *value.before);
+  if (scatter <= tolerance) return;
+  value.verdict = Verdict::inconclusive;
+  value.reason =
+      fmt::format("the machine was busy: repeats of a frame scatter by {:.0f} %, tolerance {:.0f} %",
+                  100 * scatter, 100 * tolerance);
+}
+
 }  // namespace
 
 void compare_latency(const MethodOnDataset& what, Rounds before, Rounds after, const Policy& policy,
@@ -131,6 +148,7 @@ void compare_latency(const MethodOnDataset& what, Rounds before, Rounds after, c
                                         value.rule, Better::lower, policy.alpha);
       value.verdict = reason.empty() ? judgement.verdict : Verdict::not_comparable;
       value.reason = reason.empty() ? judgement.reason : reason;
+      doubt(rounds, stage, value);
     }
     out.values.push_back(std::move(value));
   }

@@ -5,9 +5,18 @@
 namespace facet {
 namespace {
 
-double lower_quartile(std::vector<double> values) {
+double quantile(std::vector<double> values, double q) {
   std::sort(values.begin(), values.end());
-  return sorted_quantile(values, 0.25);
+  return sorted_quantile(values, q);
+}
+
+double lower_quartile(const std::vector<double>& values) {
+  return quantile(values, 0.25);
+}
+
+double scatter_of(const std::vector<double>& repeats) {
+  const double quiet = lower_quartile(repeats);
+  return quiet > 0 ? (quantile(repeats, 0.75) - quiet) / quiet : 0;
 }
 
 /// The block's times beside each frame; frames without one, as those of sequences, have what the whole method
@@ -48,9 +57,15 @@ QuietTimes quiet_times(const RunRecord& run, const MethodOnDataset& what) {
     for (std::size_t i = 0; i < sample.stage_ms.size(); ++i) columns[i].push_back(sample.stage_ms[i]);
     columns.back().push_back(sample.total_ms);
   }
-  for (auto& [frame, columns] : samples)
-    for (std::vector<double>& column : columns)
-      out.frames_ms[frame].push_back(lower_quartile(std::move(column)));
+  std::vector<std::vector<double>> scatters(out.stages.size());
+  for (const auto& [frame, columns] : samples) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      out.frames_ms[frame].push_back(lower_quartile(columns[i]));
+      scatters[i].push_back(scatter_of(columns[i]));
+    }
+  }
+  for (const std::vector<double>& stage : scatters)
+    out.scatter.push_back(stage.empty() ? 0 : quantile(stage, 0.5));
   out.calibration_ms = calibrations(run, what, out);
   return out;
 }

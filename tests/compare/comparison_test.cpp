@@ -100,6 +100,16 @@ TEST(Comparison, DoesNotCompareTimesOfAnotherMachineWithoutCalibration) {
   EXPECT_EQ(value_of(compare(before, after), "total").verdict, Verdict::not_comparable);
 }
 
+TEST(Comparison, DoubtsTheTimesOfABusyMachine) {
+  RunRecord before = run_with(twenty(8)), after = before;
+  add_times(before, 1, 1, 7);
+  add_times(after, 1.3, 1, 8);
+  for (std::size_t i = 0; i < after.timing.samples.size(); i += 2) after.timing.samples[i].stage_ms[0] *= 1.5;
+  const ComparedValue work = value_of(compare(before, after), "work");
+  EXPECT_EQ(work.verdict, Verdict::inconclusive);
+  EXPECT_THAT(work.reason, HasSubstr("busy"));
+}
+
 TEST(Comparison, OfRoundsCarriesTheirScatter) {
   // One round is slower by a tenth: over five rounds that is no proof.
   std::vector<RunRecord> before, after;
