@@ -10,6 +10,7 @@
 #include "stage/pruning.hpp"
 #include "stage/temporal_average.hpp"
 #include "stage/wiener.hpp"
+#include "surface/basin_merging.hpp"
 #include "surface/contours.hpp"
 #include "surface/grasp.hpp"
 #include "surface/pose.hpp"
@@ -27,6 +28,7 @@ struct PipelineParams {
   GradientParams gradient;
   DepthEdgeParams dd;
   CreaseParams cd;
+  MergeParams merge;
   EdgeKindParams edge_kind;
   MorphologyParams morphology;
   PruningParams pruning;

@@ -66,15 +66,20 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("cd.closure", p.cd.closure, FieldInfo{"", 0, 0, "closed lines between basins, or the paper's Canny"});
   visit("cd.floor_deg", p.cd.floor_deg,
         FieldInfo{"deg", 0, 180, "basins: smaller changes are noise of the fits"});
-  visit("cd.rise_deg", p.cd.rise_deg,
-        FieldInfo{"deg", 0, 180, "basins: least rise of a border over its sides"});
-  visit("cd.smooth_deg", p.cd.smooth_deg,
-        FieldInfo{"deg", 0, 180, "basins: borders that turn by less may lie on a smooth curved surface"});
-  visit("cd.fit_ratio", p.cd.fit_ratio,
-        FieldInfo{"", 0, 1000, "basins: least F ratio of two planes over one"});
   visit("cd.high_deg", p.cd.high_deg, FieldInfo{"deg", 0, 180, "upper threshold on the change of direction"});
   visit("cd.low_deg", p.cd.low_deg, FieldInfo{"deg", 0, 180, "lower threshold"});
   visit("cd.depth_guard_px", p.cd.depth_guard_px, FieldInfo{"px", 0, 16, "no crease this near a depth edge"});
+
+  visit("merge.crease_deg", p.merge.crease_deg,
+        FieldInfo{"deg", 0, 180, "basins: least angle between the patches of two surfaces that meet"});
+  visit("merge.step_ratio", p.merge.step_ratio,
+        FieldInfo{"m/m", 0, 1, "basins: least step between them, relative to depth"});
+  visit("merge.fit_sigmas", p.merge.fit_sigmas,
+        FieldInfo{"sigma", 0, 100, "basins: least difference in deviations of the fits"});
+  visit("merge.curve_radius_mm", p.merge.curve_radius_mm,
+        FieldInfo{"mm", 0, 100000, "basins: radius of usual curved surfaces; 0 = patches are planes"});
+  visit("merge.flat_deg", p.merge.flat_deg,
+        FieldInfo{"deg", 0, 180, "basins: borders that turn by less are judged first"});
 
   visit("convexity", p.edge_kind.convexity,
         FieldInfo{"", 0, 0, "signed test, or Table 1's hessian as printed"});

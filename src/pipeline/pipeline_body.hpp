@@ -164,9 +164,10 @@ class PipelineBody {
                                    1 / double{InverseDepthOp::units_per_inverse_metre},
                                    executor_.on_host(b_.strength),
                                    executor_.on_host(b_.distance),
-                                   params_.cd.depth_guard_px};
-    merging_.merge(landscape, MergeCriteria{params_.cd.rise_deg, params_.cd.smooth_deg, params_.cd.fit_ratio},
-                   noise_, regions_);
+                                   params_.cd.depth_guard_px,
+                                   crease_strength_of(params_.cd.floor_deg),
+                                   camera_};
+    merging_.merge(landscape, params_.merge, noise_, regions_);
     executor_.upload(std::as_const(regions_).view(), b_.root.view());
     region_borders(executor_, b_.root.view(), b_.crease_edge.view());
   }

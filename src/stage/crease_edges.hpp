@@ -31,15 +31,9 @@ struct CreaseParams {
   CreaseMode mode = CreaseMode::normals;
   CreaseAngle angle = CreaseAngle::atan2;  ///< paper mode only
   bool weighted = true;  ///< paper mode: damp directions whose gradient is below its own noise
-  int radius_px = 4;     ///< normals: half side of the fit window [px], 1..16
+  int radius_px = 3;     ///< normals: half side of the fit window [px], 1..16
   CreaseClosure closure = CreaseClosure::basins;  ///< basins needs mode normals
   float floor_deg = 5.0f;  ///< basins: change of direction below this is noise of the fits [deg], 0..180
-  float rise_deg = 10.0f;  ///< basins: least rise of a border above the strength on both sides [deg], 0..180
-  /// basins: borders that turn by less may lie on a smooth surface: so much does a cylinder of 2 cm radius at
-  /// 1 m within the fit windows [deg], 0..180
-  float smooth_deg = 45.0f;
-  float fit_ratio =
-      10.0f;  ///< basins: least gain of two planes over one, in units of the noise (F ratio), 0..1000
   float high_deg = 25.0f;  ///< upper threshold on the change of direction across the pixel [deg], 0..180
   float low_deg = 12.0f;   ///< lower threshold [deg], 0..180
   int depth_guard_px = 3;  ///< no crease within this distance of a depth edge [px], 0..16

@@ -84,7 +84,7 @@ constexpr std::array table{
     AblationSwitch{"basins", "creases closed by basins; off: Canny",
                    [](P& p) { p.cd.closure = CreaseClosure::canny; }, needs_normals},
     AblationSwitch{"patch_fit", "smooth curved surfaces stay whole; off: planes alone",
-                   [](P& p) { p.cd.smooth_deg = 0; }, needs_basins},
+                   [](P& p) { p.merge.curve_radius_mm = 0; }, needs_basins},
     AblationSwitch{"signed_convexity", "signed convexity; off: Table 1's Hessian",
                    [](P& p) { p.edge_kind.convexity = Convexity::hessian; }, always},
     AblationSwitch{"no_morphology", "edges as they are; off: the paper's dilation and erosion (eqs 7-9)",

@@ -5,71 +5,52 @@
 
 #include "core/depth_noise.hpp"
 #include "core/image.hpp"
-#include "surface/patch_fit.hpp"
+#include "surface/basin_graph.hpp"
 
 namespace facet {
 
-/// The over-segmentation into basins and what it was made from.
-struct BasinLandscape {
-  ImageView<const std::int32_t> basin;          ///< raster index naming the basin, -1 = none
-  ImageView<const std::int32_t> inverse_depth;  ///< fixed point, as stage/normals.hpp makes it; unit below
-  double inverse_depth_unit = 1;                ///< 1/m per step
-  ImageView<const float> strength;              ///< crease strength, chord of the angle
-  ImageView<const std::uint8_t> distance_px;
-  int guard_px = 0;  ///< strength is known where the distance is larger
+/// When a border between two regions is a crease: the patches fitted to both sides must differ where they
+/// meet, by more than a smooth surface's would and more than their noise explains.
+struct MergeParams {
+  /// Least angle between the patches [deg], 0..180.
+  float crease_deg = 25;
+  /// Least step between the patches, relative to depth [m/m], 0..1: a third of the least jump of a depth
+  /// edge.
+  float step_ratio = 0.005f;
+  float fit_sigmas = 3;        ///< least difference in deviations of the fits, 0..100
+  float curve_radius_mm = 40;  ///< radius of usual curved surfaces [mm], 0..100000; 0 = patches are planes
+  float flat_deg = 45;         ///< borders that turn by less are judged first [deg], 0..180
 };
 
-/// When a border between two regions is a crease: it must rise above the strength inside both of them, and
-/// two patches must explain the pixels better than one: better than one plane and, where the border turns by
-/// little enough for a smooth surface, better than one quadric.
-struct MergeCriteria {
-  float rise_deg = 10;
-  float smooth_deg = 45;
-  float fit_ratio = 10;  ///< (residual of one patch - of two) / 3 over the noise of one independent reading
-};
-
-/// Merges basins across borders that are no creases, so that noise, texture and the even curvature of a
-/// cylinder do not split a surface: there the border is as strong as its surroundings. In rounds, each taking
-/// the borders from the least convincing one upwards and merging a region once at most, so that every
-/// decision rests on what the regions are now; until a round merges nothing.
+/// Merges basins across borders that are no creases, so that noise, texture and the curvature of a cylinder
+/// do not split a surface. First, small basins that are no deeper than noise join the neighbour across their
+/// lowest pass. Then regions join by the difference of their patches, least first, in rounds in which a
+/// region joins once at most, so that every decision rests on what the regions are now; first across borders
+/// that turn by little, so that fits within faces are sure before those near creases are judged by them.
 class BasinMerging {
  public:
   /// `region` receives, for every pixel, a raster index naming its region, -1 = none.
-  void merge(const BasinLandscape& landscape, const MergeCriteria& criteria, const DepthNoise& noise,
+  void merge(const BasinLandscape& landscape, const MergeParams& params, const DepthNoise& noise,
              Image<std::int32_t>& region);
 
  private:
-  struct Basin {
-    int parent = 0;  ///< union-find over basins
-    std::int32_t name = 0;
-    int merged_in = 0;        ///< last round in which it changed
-    double strength_sum = 0;  ///< over pixels where it is known
-    double strength_count = 0;
-    PatchMoments moments;
+  struct Candidate {
+    float difference = 0;
+    int a = 0, b = 0;
   };
-  struct Border {
-    int a = 0, b = 0;        ///< a < b
-    float strength_sum = 0;  ///< over pairs of pixels where it is known
-    float strength_count = 0;
-    float rise = 0;
-    int place = 0;  ///< in the order before sorting
-  };
+  void join_shallow_basins(float floor);
+  void fit(int i);
+  bool merge_round(float most_strength);
 
-  void collect_basins(const BasinLandscape& landscape);
-  void collect_borders(const BasinLandscape& landscape);
-  void aggregate_borders();
-  bool merge_round();
-  int find(int i);
-  float rise_of(const Border& border) const;
-  bool is_crease(const Border& border) const;
-  bool needs_two_patches(const PatchMoments& a, const PatchMoments& b, bool may_be_smooth) const;
-
-  std::vector<Basin> basins_;
-  std::vector<Border> borders_;
-  std::vector<std::int32_t> index_;  ///< basin index by raster index of its name
+  BasinGraph graph_;
+  std::vector<PatchFit> fits_;  ///< by basin
+  std::vector<int> joined_in_;  ///< last round in which a basin's region changed
+  std::vector<Candidate> candidates_;
+  std::vector<int> order_;
   int round_ = 0;
-  MergeCriteria criteria_;
+  MergeParams params_;
   DepthNoise noise_;
+  double focal_px_ = 1;
 };
 
 }  // namespace facet

@@ -42,10 +42,11 @@ struct Landscape {
         strength(x, y) = static_cast<float>(2 * std::fabs(std::sin(turn / 2)) + jitter);
       }
   }
-  Image<std::int32_t> merged(const MergeCriteria& criteria = {}) const {
+  Image<std::int32_t> merged(const MergeParams& params = {}) const {
     Image<std::int32_t> region;
-    BasinMerging().merge({basin.view(), inverse_depth.view(), unit, strength.view(), distance.view(), 3},
-                         criteria, kinect_v1_noise(), region);
+    BasinMerging().merge(
+        {basin.view(), inverse_depth.view(), unit, strength.view(), distance.view(), 3, 0.087f, camera},
+        params, kinect_v1_noise(), region);
     return region;
   }
 };
@@ -123,21 +124,36 @@ Landscape thin_cylinder(double strength_at_border) {
   return cylinder;
 }
 
-TEST(BasinMerging, ASmoothSurfaceStaysOneThoughTwoPlanesExplainItBetterThanOne) {
-  MergeCriteria planes_alone;
-  planes_alone.smooth_deg = 0;
-  EXPECT_GT(count_regions(thin_cylinder(0.5).merged(planes_alone)), 1) << "what one plane does not explain";
+TEST(BasinMerging, ASmoothSurfaceStaysOneWherePatchesMayCurve) {
+  MergeParams planes_alone;
+  planes_alone.curve_radius_mm = 0;
+  EXPECT_GT(count_regions(thin_cylinder(0.5).merged(planes_alone)), 1) << "what planes do not explain";
   EXPECT_EQ(count_regions(thin_cylinder(0.5).merged()), 1);
 }
 
-TEST(BasinMerging, ABorderThatTurnsByMoreThanASmoothSurfaceCanIsACrease) {
-  EXPECT_GT(count_regions(thin_cylinder(1.2).merged()), 1);  // 74 degrees
+TEST(BasinMerging, TheAngleThatMakesACreaseIsAParameter) {
+  MergeParams params;
+  params.crease_deg = 40;
+  EXPECT_EQ(count_regions(roof(30, 0.001).merged(params)), 1);
 }
 
-TEST(BasinMerging, AWeakBorderIsNoCreaseHoweverWellTwoPlanesFit) {
-  MergeCriteria criteria;
-  criteria.rise_deg = 40;
-  EXPECT_EQ(count_regions(roof(30, 0.001).merged(criteria)), 1);
+TEST(BasinMerging, PlanesThatMeetInAStepStayTwo) {
+  const auto step = [](double height_m) {
+    return Landscape([=](double x) { return x < 48 ? 0.8 : 0.8 + height_m; }, [](double) { return 0.0; },
+                     0.001, 8);
+  };
+  EXPECT_EQ(count_regions(step(0.012).merged()), 2);
+  EXPECT_EQ(count_regions(step(0.001).merged()), 1);
+}
+
+TEST(BasinMerging, WhatIsWithinTheNoiseOfTheFitsIsNoCrease) {
+  Landscape bumps = roof(30, 0.001);
+  for (int y = 0; y < size.height; ++y)  // one basin of 2 x 2 px, far less than an independent reading
+    for (int x = 0; x < size.width; ++x) bumps.basin(x, y) = x < 48 ? 0 : 48;
+  bumps.basin(20, 20) = bumps.basin(21, 20) = bumps.basin(20, 21) = bumps.basin(21, 21) =
+      20 * size.width + 20;
+  bumps.inverse_depth(20, 20) += 10000;  // 2.4 mm/m^2
+  EXPECT_EQ(count_regions(bumps.merged()), 2);
 }
 
 TEST(BasinMerging, AStrongBorderBetweenPartsOfOnePlaneIsNoCrease) {
@@ -166,7 +182,8 @@ TEST(BasinMerging, IsTheSameForASecondFrame) {
   BasinMerging merging;
   Image<std::int32_t> region;
   for (const Landscape* l : {&scene, &other, &scene})
-    merging.merge({l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), l->distance.view(), 3},
+    merging.merge({l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), l->distance.view(), 3,
+                   0.087f, camera},
                   {}, kinect_v1_noise(), region);
   const Image<std::int32_t> fresh = scene.merged();
   for (int y = 0; y < size.height; ++y)

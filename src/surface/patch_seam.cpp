@@ -1,0 +1,56 @@
+#include "surface/patch_seam.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facet {
+namespace {
+
+constexpr double square(double v) {
+  return v * v;
+}
+
+/// Squared chord between the normals, which are along (f qx, f qy, q - x qx - y qy): a plane in space is
+/// affine in inverse depth.
+double squared_chord(const PatchPoint& a, const PatchPoint& b, double x, double y, double focal_px) {
+  const auto normal = [&](const PatchPoint& p) {
+    const std::array<double, 3> n{focal_px * p.qx, focal_px * p.qy, p.q - x * p.qx - y * p.qy};
+    const double scale = 1 / std::sqrt(square(n[0]) + square(n[1]) + square(n[2]));
+    return std::array<double, 3>{scale * n[0], scale * n[1], scale * n[2]};
+  };
+  const auto na = normal(a), nb = normal(b);
+  return square(na[0] - nb[0]) + square(na[1] - nb[1]) + square(na[2] - nb[2]);
+}
+
+/// Variances of the angle and of the relative step that one fit contributes. A slope dz/dx = tan(t) known to
+/// within s tells t to within s cos^2(t).
+struct SeamVariance {
+  double angle = 0, step = 0;
+};
+SeamVariance variance_of(const PatchFit& fit, double x, double y, double focal_px) {
+  const PatchPoint p = fit.at(x, y);
+  const auto [value, slope] = fit.variance_at(x, y);
+  const double scale = square(focal_px / p.q);
+  const double steepness = 1 + scale * (square(p.qx) + square(p.qy));
+  return {scale * slope / 2 / square(steepness), value / square(p.q)};
+}
+
+}  // namespace
+
+double seam_difference(const PatchFit& a, const PatchFit& b, std::span<const SeamPoint> seam, double focal_px,
+                       const SeamTolerance& tolerance) {
+  double angle = 0, step = 0;
+  for (const auto& [x, y] : seam) {
+    const PatchPoint pa = a.at(x, y), pb = b.at(x, y);
+    angle += squared_chord(pa, pb, x, y, focal_px);
+    step += square(pa.q - pb.q) / std::abs(pa.q * pb.q);
+  }
+  const auto count = static_cast<double>(seam.size());
+  const auto [x, y] = seam[seam.size() / 2];
+  const SeamVariance va = variance_of(a, x, y, focal_px), vb = variance_of(b, x, y, focal_px);
+  const double s = square(tolerance.sigmas);
+  return std::sqrt(std::max(angle / count / (square(tolerance.angle_rad) + s * (va.angle + vb.angle)),
+                            step / count / (square(tolerance.step_ratio) + s * (va.step + vb.step))));
+}
+
+}  // namespace facet

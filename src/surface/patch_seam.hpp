@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "surface/patch_fit.hpp"
+
+namespace facet {
+
+/// By how much two patches may differ where they meet and still be one smooth surface.
+struct SeamTolerance {
+  double angle_rad = 0;   ///< between their normals
+  double step_ratio = 0;  ///< between their depths, relative to depth [m/m]
+  double sigmas = 0;      ///< in deviations of the difference of the two fits, added in squares
+};
+
+/// A pixel of a seam, relative to the principal point [px].
+using SeamPoint = std::array<float, 2>;
+
+/// Difference of two patches along their seam over what is tolerated: the larger one of the root mean squares
+/// of the angle and of the step. Above 1, the two are surfaces of their own. `focal_px`: of the camera.
+double seam_difference(const PatchFit& a, const PatchFit& b, std::span<const SeamPoint> seam, double focal_px,
+                       const SeamTolerance& tolerance);
+
+}  // namespace facet

@@ -1,0 +1,101 @@
+#include "surface/basin_graph.hpp"
+
+#include <gtest/gtest.h>
+
+namespace facet {
+namespace {
+
+constexpr Size size{12, 6};
+
+/// Three basins side by side, each 4 px wide, named by their first pixel.
+struct Columns {
+  Image<std::int32_t> basin{size}, inverse_depth{size, 1000};
+  Image<float> strength{size, 0.25f};
+  Image<std::uint8_t> distance{size, 9};
+  Columns() {
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) basin(x, y) = x / 4 * 4;
+  }
+  BasinLandscape landscape() const {
+    return {basin.view(),          inverse_depth.view(), 0.001, strength.view(), distance.view(), 3, 0,
+            Camera{100, 100, 0, 0}};
+  }
+};
+
+TEST(BasinGraph, KnowsPixelsStrengthsAndNeighboursOfEveryBasin) {
+  Columns columns;
+  columns.strength(4, 2) = 0.75f, columns.strength(1, 1) = 0.125f;
+  BasinGraph graph;
+  graph.build(columns.landscape());
+  ASSERT_EQ(graph.basin_count(), 3);
+  EXPECT_EQ(graph.basin(1).name, 4);
+  EXPECT_EQ(graph.basin(1).moments.count(), 24);
+  EXPECT_EQ(graph.basin(1).moments.mean_q(), 1);
+  EXPECT_EQ(graph.basin(0).lowest, 0.125f);
+  ASSERT_EQ(graph.borders().size(), 2u);
+  const BasinBorder& border = graph.borders()[0];
+  EXPECT_EQ(border.a, 0);
+  EXPECT_EQ(border.b, 1);
+  EXPECT_EQ(border.length, 6);
+  EXPECT_FLOAT_EQ(border.strength(), (5 * 0.25f + 0.75f) / 6);
+  ASSERT_EQ(border.seam().size(), 6u);
+  EXPECT_EQ(border.seam()[5], (SeamPoint{3.5f, 5}));
+}
+
+TEST(BasinGraph, ABorderNearDepthEdgesHasNoKnownStrength) {
+  Columns columns;
+  for (int y = 0; y < size.height - 2; ++y) columns.distance(3, y) = 3;
+  BasinGraph graph;
+  graph.build(columns.landscape());
+  EXPECT_EQ(graph.borders()[0].known, 2);
+  EXPECT_EQ(graph.borders()[0].strength(), unknown_strength);
+  EXPECT_EQ(graph.borders()[1].strength(), 0.25f);
+}
+
+TEST(BasinGraph, JoinedBasinsShareTheirBorders) {
+  Columns columns;
+  for (int y = 3; y < size.height; ++y)
+    for (int x = 0; x < 4; ++x) columns.basin(x, y) = 3 * size.width;  // cut the first column in two
+  BasinGraph graph;
+  graph.build(columns.landscape());
+  ASSERT_EQ(graph.basin_count(), 4);
+  ASSERT_EQ(graph.borders().size(), 4u);
+  graph.join(0, 3);
+  graph.update_borders();
+  ASSERT_EQ(graph.borders().size(), 2u);
+  const BasinBorder& border = graph.borders()[0];
+  EXPECT_EQ(border.length, 6);
+  EXPECT_EQ(border.known, 6);
+  EXPECT_FLOAT_EQ(border.sum, 1.5f);
+  EXPECT_EQ(border.seam().size(), 6u);
+  EXPECT_EQ(border.seam()[0], (SeamPoint{3.5f, 0}));
+  EXPECT_EQ(border.seam()[5], (SeamPoint{3.5f, 5}));
+  EXPECT_EQ(graph.basin(0).moments.count(), 24);
+  Image<std::int32_t> region(size);
+  graph.write_regions(columns.landscape(), region.view());
+  EXPECT_EQ(region(0, 5), 0);
+  EXPECT_EQ(region(5, 5), 4);
+}
+
+TEST(BasinGraph, ThePointsOfALongBorderAreSpreadOverIt) {
+  constexpr Size tall{4, 48};
+  Image<std::int32_t> basin(tall), inverse_depth(tall, 1000);
+  for (int y = 0; y < tall.height; ++y)
+    for (int x = 0; x < tall.width; ++x) basin(x, y) = x / 2 * 2 + (y < 40 || x >= 2 ? 0 : 40 * tall.width);
+  const Image<float> strength(tall, 0.25f);
+  const Image<std::uint8_t> distance(tall, 9);
+  BasinGraph graph;
+  graph.build({basin.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3, 0,
+               Camera{100, 100, 0, 0}});
+  graph.join(0, 2);
+  graph.update_borders();
+  ASSERT_EQ(graph.borders().size(), 1u);
+  const auto seam = graph.borders()[0].seam();
+  ASSERT_EQ(seam.size(), BasinBorder::most_points);
+  int upper = 0;
+  for (const SeamPoint& point : seam) upper += point[1] < 40;
+  EXPECT_EQ(upper, 10);  // as many per pixel above as below
+}
+
+}  // namespace
+}  // namespace facet
