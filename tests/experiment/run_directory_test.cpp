@@ -33,12 +33,12 @@ TEST(RunDirectory, FindsTheNewestOfTheSameConfigurationAndBuild) {
   TemporaryFolder folder;
   EXPECT_FALSE(RunDirectory::find(folder.path(), "e", "0123456789", "abc"));
   RunDirectory::create(folder.path(), "e", "0123456789", "abc");
-  const auto newest = RunDirectory::create(folder.path(), "e", "0123456789", "abc");
+  const auto newest = RunDirectory::create(folder.path(), "e", "0123456789", "abc").path();
   RunDirectory::create(folder.path(), "e", "0123456789", "abc-dirty");
   RunDirectory::create(folder.path(), "e", "9999999999", "abc");
   const auto found = RunDirectory::find(folder.path(), "e", "0123456789", "abc");
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->path(), newest.path());
+  EXPECT_EQ(found->path(), newest);
 }
 
 TEST(RunDirectory, LatestFollowsTheNewestRun) {

@@ -13,6 +13,7 @@ std::unique_ptr<Dataset> osd() {
                    .reader = "osd",
                    .root = real_data_root() / "osd",
                    .frames = {},
+                   .kinds = {},
                    .annotations = {},
                    .options = {}});
 }

@@ -223,9 +223,10 @@ TEST(NormalChange, IsTheChordOfTheAngleBetweenBothSides) {
 }
 
 TEST(NormalChange, ReachesTheOffsetAndNoFarther) {
+  const int offset = CreaseParams{}.radius_px;
   CpuExecutor executor;
   const Image<float> strength = std::get<0>(normal_strength(executor, {}, half_planes(90), Mask(size, 5)));
-  for (int x = 20; x < 100; ++x) EXPECT_EQ(strength(x, 45) > 0.5f, x >= 60 - 4 && x < 60 + 4) << x;
+  for (int x = 20; x < 100; ++x) EXPECT_EQ(strength(x, 45) > 0.5f, x >= 60 - offset && x < 60 + offset) << x;
 }
 
 TEST(NormalChange, IsZeroWithinTheGuardAndWhereASideHasNoNormal) {
