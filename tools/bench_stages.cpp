@@ -41,11 +41,13 @@ const std::vector<StageTraffic> traffic{
     {StageId::crease_strength, {{"default", 59}, {"paper", 41}, {"naive", 41}}},
     {StageId::crease_canny, {{"default", 54}, {"paper", 8}, {"naive", 8}}},
     {StageId::morphology, {{"default", 14}, {"paper", 43}, {"naive", 12}}},
-    {StageId::labelling, {{"default", 31}, {"paper", 31}, {"naive", 31}}},
-    {StageId::contours, {{"default", 15}, {"paper", 16}, {"naive", 15}}},
+    {StageId::labelling, {{"default", 44}, {"paper", 44}, {"naive", 44}}},
+    {StageId::support, {{"default", 15}, {"paper", idle}, {"naive", idle}}},
+    {StageId::contours, {{"default", 2}, {"paper", 3}, {"naive", 2}}},
     {StageId::validation, {{"default", 4}, {"paper", 4}, {"naive", 0}}},
     {StageId::pose, {{"default", 0}, {"paper", 0}, {"naive", 0}}},
     {StageId::grasps, {{"default", 0}, {"paper", 0}, {"naive", 0}}},
+    {StageId::objects, {{"default", 3}, {"paper", idle}, {"naive", idle}}},
 };
 
 constexpr Size sizes[]{{320, 240}, {640, 480}, {640, 576}, {1280, 720}};

@@ -4,6 +4,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 
 #include "overlay/depth_panel.hpp"
 
@@ -36,6 +37,14 @@ std::string surface_line(const std::vector<Surface>& surfaces) {
                      count([](const Surface& s) { return s.curved; }));
 }
 
+/// Empty where the method does not tell objects apart.
+std::string object_line(const std::vector<Surface>& surfaces) {
+  std::set<int> objects;
+  for (const Surface& surface : surfaces) objects.insert(surface.object);
+  objects.erase(0);
+  return objects.empty() ? std::string() : fmt::format("{} objects", objects.size());
+}
+
 }  // namespace
 
 std::vector<std::string> summary_lines(const Frame& frame, const Prediction& prediction) {
@@ -51,6 +60,8 @@ std::vector<std::string> summary_lines(const Frame& frame, const Prediction& pre
       surface_line(prediction.surfaces),
       edge_line(prediction.edges),
       fmt::format("{} regions dropped", prediction.rejected.size())};
+  if (const std::string objects = object_line(prediction.surfaces); !objects.empty())
+    lines.insert(lines.begin() + 5, objects);
   std::map<std::string, int> reasons;
   for (const RejectedRegion& region : prediction.rejected) ++reasons[region.reason];
   for (const auto& [reason, count] : reasons) lines.push_back(fmt::format("    {}: {}", reason, count));

@@ -13,7 +13,9 @@
 #include "surface/basin_merging.hpp"
 #include "surface/contours.hpp"
 #include "surface/grasp.hpp"
+#include "surface/object_params.hpp"
 #include "surface/pose.hpp"
+#include "surface/support_params.hpp"
 #include "surface/validation.hpp"
 
 namespace facet {
@@ -32,10 +34,12 @@ struct PipelineParams {
   EdgeKindParams edge_kind;
   MorphologyParams morphology;
   PruningParams pruning;
+  SupportParams support;
   ContourParams contours;
   ValidationParams validation;
   PoseParams pose;
   GraspParams grasp;
+  ObjectParams objects;
 };
 
 /// Throws Error{config} naming key, rule and value of the first parameter that is out of range.

@@ -98,6 +98,15 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("pruning.iterations", p.pruning.iterations,
         FieldInfo{"px", 0, 100, "gonzalez: longest spur removed"});
 
+  visit("support.enabled", p.support.enabled,
+        FieldInfo{"", 0, 0, "join the pieces of what the objects stand on (contours: regions)"});
+  visit("support.max_tilt_deg", p.support.max_tilt_deg,
+        FieldInfo{"deg", 0, 180, "most that it leans from the camera's up"});
+  visit("support.flatness_mm", p.support.flatness_mm,
+        FieldInfo{"mm", 0, 1000, "unevenness of support and sensor at 1 m; grows with depth squared"});
+  visit("support.noise_sigmas", p.support.noise_sigmas,
+        FieldInfo{"sigma", 0, 100, "allowance for the noise of a piece's plane"});
+
   visit("contours", p.contours.mode, FieldInfo{"", 0, 0, "outlines of regions, or of the edge map (paper)"});
 
   visit("validation.enabled", p.validation.enabled,
@@ -133,6 +142,16 @@ void visit_fields(Params& p, Visitor&& visit) {
         FieldInfo{"mm", 0, 1000, "what stands out of the surface by more blocks a finger"});
   visit("grasp.most_per_surface", p.grasp.most_per_surface,
         FieldInfo{"grasps", 1, 100, "the best ones are kept"});
+
+  visit("objects.enabled", p.objects.enabled, FieldInfo{"", 0, 0, "group surfaces into objects"});
+  visit("objects.min_convex_share", p.objects.min_convex_share,
+        FieldInfo{"", 0, 1, "least share of convex among the creases between two faces of an object"});
+  visit("objects.min_crease_share", p.objects.min_crease_share,
+        FieldInfo{"", 0, 1, "least share of creases along their border; the rest is depth edges"});
+  visit("objects.hollow", p.objects.hollow,
+        FieldInfo{"", 0, 0, "a hollow inside belongs to the curved outside that hides part of it"});
+  visit("objects.max_size_mm", p.objects.max_size_mm,
+        FieldInfo{"mm", 0, 100000, "what leaves the image and is larger than its square is no object"});
 }
 
 }  // namespace facet

@@ -15,7 +15,9 @@
 #include "stage/ownership.hpp"
 #include "stage/thinning.hpp"
 #include "surface/basin_merging.hpp"
+#include "surface/object_grouping.hpp"
 #include "surface/regions.hpp"
+#include "surface/support.hpp"
 #include "surface/surface_list.hpp"
 
 namespace facet {
@@ -45,10 +47,12 @@ class PipelineBody {
       timed(result, StageId::crease_canny, [&] { trace_creases(); });
       timed(result, StageId::morphology, [&] { smooth_edges(); });
       timed(result, StageId::labelling, [&] { label_regions(result); });
+      timed(result, StageId::support, [&] { unite_support(result); });
       timed(result, StageId::contours, [&] { trace_contours(result); });
       timed(result, StageId::validation, [&] { validate_surfaces(result); });
       timed(result, StageId::pose, [&] { estimate_poses(result); });
       timed(result, StageId::grasps, [&] { find_grasps(result); });
+      timed(result, StageId::objects, [&] { group_objects(result); });
     });
   }
 
@@ -62,6 +66,7 @@ class PipelineBody {
 
   void restart(FrameResult& result, Size size) {
     result.labels.resize(size);
+    numbered_.resize(size);
     result.edges.resize(size);
     result.surfaces.clear();
     result.rejected.clear();
@@ -191,24 +196,38 @@ class PipelineBody {
     label_components(executor_, b_.depth.view(), b_.edge.view(), b_.root.view());
     const int count = numbering_.number(executor_.on_host(b_.root), executor_.on_host(b_.depth),
                                         executor_.on_host(b_.filled), camera_, params_.validation,
-                                        result.labels.view(), result.rejected);
-    executor_.upload(std::as_const(result.labels).view(), b_.label.view());
+                                        numbered_.view(), result.rejected);
+    executor_.upload(std::as_const(numbered_).view(), b_.label.view());
     give_back_pixels(executor_, params_.dd.jump_ratio, params_.dd.noise_sigmas, noise_, b_.depth.view(),
                      b_.label.view(), b_.mask_a.view(), b_.owner.view());
+    executor_.download(b_.label.view(), result.labels.view());
+    executor_.download(b_.code.view(), result.edges.view());
+    collect_pixels(result, count);
+  }
+
+  void collect_pixels(FrameResult& result, int count) {
+    pixels_.collect(result.labels.view(), count, executor_.on_host(b_.depth), executor_.on_host(b_.filled),
+                    camera_, params_.pose.max_points);
     result.surfaces.resize(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) result.surfaces[static_cast<std::size_t>(i)].id = i + 1;
   }
 
+  void unite_support(FrameResult& result) {
+    // The paper's contours are those of the edge map, whose holes cannot be joined.
+    if (!params_.support.enabled || params_.contours.mode == ContourMode::edge_map) return;
+    const int before = static_cast<int>(result.surfaces.size());
+    const int count = support_.unite(
+        {result.labels.view(), result.edges.view(), pixels_, camera_, noise_, params_.pose, seed_},
+        params_.support);
+    if (count < before) collect_pixels(result, count);
+  }
+
   void trace_contours(FrameResult& result) {  // section 4.2.3
     // The holes of the edge map are the regions as they were before edge pixels were given back.
-    const bool by_edge_map = params_.contours.mode == ContourMode::edge_map;
-    if (by_edge_map) trace_edge_map(executor_.on_host(b_.edge), result.labels.view(), result.surfaces);
-    executor_.download(b_.label.view(), result.labels.view());
-    executor_.download(b_.code.view(), result.edges.view());
-    pixels_.collect(result.labels.view(), static_cast<int>(result.surfaces.size()),
-                    executor_.on_host(b_.depth), executor_.on_host(b_.filled), camera_,
-                    params_.pose.max_points);
-    if (!by_edge_map) trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
+    if (params_.contours.mode == ContourMode::edge_map)
+      trace_edge_map(executor_.on_host(b_.edge), numbered_.view(), result.surfaces);
+    else
+      trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
   }
 
   void validate_surfaces(FrameResult& result) {
@@ -233,6 +252,13 @@ class PipelineBody {
     for (Surface& surface : result.surfaces) grasps_.find(input, params_.grasp, surface);
   }
 
+  void group_objects(FrameResult& result) {  // the paper's future work
+    if (!params_.objects.enabled) return;
+    objects_.group({result.labels.view(), result.edges.view(), pixels_.points, camera_,
+                    support_.label_in(result.labels.view()), support_.plane()},
+                   params_.objects, result.surfaces);
+  }
+
   Executor& executor_;
   PipelineParams params_;
   DepthNoise noise_;
@@ -241,10 +267,13 @@ class PipelineBody {
   Buffers<Executor> b_;
   TemporalHistory<Executor> history_;
   Image<std::int32_t> regions_;
+  Image<std::uint16_t> numbered_;  ///< regions before edge pixels are given back
   BasinMerging merging_;
   RegionNumbering numbering_;
   RegionPixels pixels_;
   GraspFinder grasps_;
+  Support support_;
+  ObjectGrouping objects_;
 };
 
 }  // namespace facet

@@ -17,12 +17,14 @@ enum class StageId {
   crease_canny,
   morphology,
   labelling,
+  support,
   contours,
   validation,
   pose,
   grasps,
+  objects,
 };
-inline constexpr int stage_count = 14;
+inline constexpr int stage_count = 16;
 
 struct StageName {
   StageId id;
@@ -31,7 +33,8 @@ struct StageName {
 };
 
 /// Table 3 of the paper has one Canny column although Canny runs twice, and no column for the temporal
-/// average, the contour separation and the grasps; ours splits the first and adds the others.
+/// average, the support, the contour separation, the grasps and the objects; ours splits the first and adds
+/// the others.
 inline constexpr std::array<StageName, stage_count> stage_names{{
     {StageId::temporal, "temporal", "Temporal"},
     {StageId::fill, "fill", "Fill"},
@@ -43,10 +46,12 @@ inline constexpr std::array<StageName, stage_count> stage_names{{
     {StageId::crease_canny, "crease_canny", "Canny CD"},
     {StageId::morphology, "morphology", "Morphology"},
     {StageId::labelling, "labelling", "Labelling"},
+    {StageId::support, "support", "Support"},
     {StageId::contours, "contours", "Contours"},
     {StageId::validation, "validation", "Validation"},
     {StageId::pose, "pose", "Pose"},
     {StageId::grasps, "grasps", "Grasps"},
+    {StageId::objects, "objects", "Objects"},
 }};
 
 constexpr int index_of(StageId id) {

@@ -41,6 +41,9 @@ std::string needs_basins(const P& p) {
 std::string needs_normals(const P& p) {
   return needs(p.cd.mode == CreaseMode::normals, "creases by normals");
 }
+std::string needs_region_contours(const P& p) {
+  return needs(p.contours.mode == ContourMode::regions, "outlines of regions");
+}
 std::string needs_pose(const P& p) {
   return needs(p.pose.enabled, "poses");
 }
@@ -93,6 +96,10 @@ constexpr std::array table{
                    [](P& p) { p.pruning.mode = PruningMode::gonzalez; }, always},
     AblationSwitch{"region_contours", "outlines of regions; off: of the edge map",
                    [](P& p) { p.contours.mode = ContourMode::edge_map; }, always},
+    AblationSwitch{"support", "pieces of the support joined", [](P& p) { p.support.enabled = false; },
+                   needs_region_contours},
+    AblationSwitch{"objects", "surfaces grouped into objects; off: every surface is one",
+                   [](P& p) { p.objects.enabled = false; }, always},
     AblationSwitch{"inlier_centre", "pose at the mean of the inliers; off: of the contour",
                    [](P& p) { p.pose.centre = PoseCentre::contour; }, needs_pose},
 };

@@ -97,11 +97,16 @@ void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<Pixe
     cv::compare(map(cv::Rect(box.x0, box.y0, box.x1 - box.x0 + 1, box.y1 - box.y0 + 1)), surface.id, mask,
                 cv::CMP_EQ);
     cv::findContours(mask, lines, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE, {box.x0, box.y0});
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      if (parent_of(hierarchy[i]) >= 0)
+    int widest = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const int extent = cv::boundingRect(lines[i]).area();
+      if (parent_of(hierarchy[i]) >= 0) {
         surface.contour.holes.push_back(to_polyline(lines[i]));
-      else if (lines[i].size() > surface.contour.outer.size())
+      } else if (extent > widest) {
+        widest = extent;
         surface.contour.outer = to_polyline(lines[i]);
+      }
+    }
   }
   find_parents(labels, surfaces);
   list_children(surfaces);

@@ -17,10 +17,11 @@ struct ContourParams {
   ContourMode mode = ContourMode::regions;
 };
 
-/// Outlines of the labels 1 ... surfaces.size() of `labels` (0 = none; each label 4-connected), into
-/// surfaces[label - 1]: contour, parent and children. Suzuki and Abe 1985 by way of cv::findContours, one
-/// label at a time, so touching surfaces each have an outline of their own. `boxes[label - 1]` bounds the
-/// label's pixels.
+/// Outlines of the labels 1 ... surfaces.size() of `labels` (0 = none), into surfaces[label - 1]: contour,
+/// parent and children. Of a label in several parts the outer contour is that of the part with the largest
+/// bounding box, which no other part encloses; holes are those of all parts. Suzuki and Abe 1985 by way of
+/// cv::findContours, one label at a time, so touching surfaces each have an outline of their own.
+/// `boxes[label - 1]` bounds the label's pixels.
 struct PixelBox {
   int x0 = 0, y0 = 0, x1 = -1, y1 = -1;  ///< inclusive
 

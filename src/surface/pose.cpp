@@ -58,7 +58,7 @@ std::optional<Vec3> contour_centre(const PoseInput& input, const Polyline& outer
 /// Median of the depths of up to 128 of the points: it only has to tell the noise.
 float typical_depth(const PointSample& points) {
   constexpr std::size_t most = 128;
-  std::array<float, most> z;
+  std::array<float, most> z{};
   const std::size_t stride = (points.size() + most - 1) / most;
   std::size_t n = 0;
   for (std::size_t i = 0; i < points.size(); i += stride) z[n++] = points.z[i];
@@ -68,6 +68,11 @@ float typical_depth(const PointSample& points) {
 }
 
 }  // namespace
+
+float plane_threshold_m(const PointSample& points, const PoseParams& params, const DepthNoise& noise) {
+  const float sigma_m = points.size() > 0 ? noise.sigma_m(typical_depth(points)) : 0;
+  return std::max(params.inlier_sigmas * sigma_m, params.min_inlier_mm / 1000);
+}
 
 SurfacePose pose_on_plane(const Plane& plane, Vec3 centre_m) {
   const Vec3 z = plane.normal;
@@ -106,11 +111,10 @@ Vec3 rectangle_axis(const Polyline& outer, const Plane& plane, const Camera& cam
 
 void estimate_pose(const PoseInput& input, const PoseParams& params, const PointSample& points,
                    Surface& surface) {
-  const float sigma_m = points.size() > 0 ? input.noise.sigma_m(typical_depth(points)) : 0;
-  const float threshold_m = std::max(params.inlier_sigmas * sigma_m, params.min_inlier_mm / 1000);
+  const float threshold_m = plane_threshold_m(points, params, input.noise);
   const PlaneFit fit =
       fit_plane(points, params, threshold_m, input.seed, static_cast<std::uint64_t>(surface.id));
-  surface.no_pose_reason = fit.reason;
+  surface.no_pose_reason = std::string(fit.reason);
   if (!fit.plane) return;
   surface.plane = fit.plane;
   surface.inlier_share = fit.inlier_share;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/camera.hpp"
@@ -42,8 +43,8 @@ struct PlaneFit {
   std::optional<Plane> plane;
   float inlier_share = 0;
   float rms_m = 0;
-  Vec3 centroid_m;     ///< mean of the inliers, on the plane
-  std::string reason;  ///< set where `plane` is empty
+  Vec3 centroid_m;          ///< mean of the inliers, on the plane
+  std::string_view reason;  ///< set where `plane` is empty
 };
 
 /// Plane through most of the points: RANSAC over triples, score = number of points within `threshold_m`, ties
@@ -51,6 +52,9 @@ struct PlaneFit {
 /// squares on its inliers. Deterministic in (seed, stream). Paper section 4.2.4.
 PlaneFit fit_plane(const PointSample& points, const PoseParams& params, float threshold_m, std::uint64_t seed,
                    std::uint64_t stream);
+
+/// Distance from its plane [m] up to which a point of a surface is an inlier, by the noise at its depth.
+float plane_threshold_m(const PointSample& points, const PoseParams& params, const DepthNoise& noise);
 
 /// Rotation of a surface: z = normal, x = normalise(up x z), y = z x x with up = -Y of the camera, or its X
 /// axis where the normal is within 18 degrees of up (|z . up| > 0.95). The angle in the plane is a

@@ -30,6 +30,13 @@ TEST(SummaryPanel, tells_what_was_found) {
   EXPECT_EQ(summary_lines(frame, prediction), expected);
 }
 
+TEST(SummaryPanel, counts_objects_where_surfaces_are_grouped) {
+  const Size size{64, 48};
+  Prediction prediction = half_prediction(size);
+  prediction.surfaces[0].object = 1;
+  EXPECT_EQ(summary_lines(example_frame(size), prediction)[5], "1 objects");
+}
+
 TEST(SummaryPanel, says_where_edges_are_not_provided) {
   Prediction prediction = empty_prediction({4, 3});
   prediction.edges = Image<std::uint8_t>();

@@ -118,7 +118,7 @@ TEST(Allocation, TheHostStagesAllocateAFewTimesPerSurface) {
   FrameResult result;
   for (int frame = 0; frame < 7; ++frame) body.process({depth.view(), camera}, result);
   ASSERT_FALSE(result.surfaces.empty());
-  for (const StageId id : {StageId::contours, StageId::validation, StageId::pose, StageId::grasps}) {
+  for (const StageId id : {StageId::contours, StageId::validation, StageId::pose, StageId::grasps, StageId::objects}) {
     const auto stage = static_cast<std::size_t>(index_of(id));
     const double each = result.times.stage_ms[stage] / static_cast<double>(result.surfaces.size());
     fmt::print("{:12} {:5.1f} allocations per surface\n", stage_names[stage].key, each);

@@ -18,7 +18,9 @@ inline PipelineParams naive_params() {
   p.cd.closure = CreaseClosure::canny;
   p.morphology.mode = MorphologyMode::none;
   p.pruning.mode = PruningMode::none;
+  p.support.enabled = false;
   p.validation.enabled = false;
+  p.objects.enabled = false;
   return p;
 }
 
@@ -36,8 +38,10 @@ inline PipelineParams paper_params() {
   p.edge_kind.convexity = Convexity::hessian;
   p.morphology.mode = MorphologyMode::paper;
   p.pruning = {PruningMode::gonzalez, 10};
+  p.support.enabled = false;
   p.contours.mode = ContourMode::edge_map;
   p.pose.centre = PoseCentre::contour;
+  p.objects.enabled = false;
   return p;
 }
 
