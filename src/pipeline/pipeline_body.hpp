@@ -202,7 +202,7 @@ class PipelineBody {
                      b_.label.view(), b_.mask_a.view(), b_.owner.view());
     executor_.download(b_.label.view(), result.labels.view());
     executor_.download(b_.code.view(), result.edges.view());
-    collect_pixels(result, count);
+    result.surfaces.resize(static_cast<std::size_t>(count));
   }
 
   void collect_pixels(FrameResult& result, int count) {
@@ -212,10 +212,15 @@ class PipelineBody {
     for (int i = 0; i < count; ++i) result.surfaces[static_cast<std::size_t>(i)].id = i + 1;
   }
 
+  /// The paper's contours are those of the edge map, whose holes cannot be joined.
+  bool joins_support() const {
+    return params_.support.enabled && params_.contours.mode != ContourMode::edge_map;
+  }
+
   void unite_support(FrameResult& result) {
-    // The paper's contours are those of the edge map, whose holes cannot be joined.
-    if (!params_.support.enabled || params_.contours.mode == ContourMode::edge_map) return;
+    if (!joins_support()) return;
     const int before = static_cast<int>(result.surfaces.size());
+    collect_pixels(result, before);
     const int count = support_.unite(
         {result.labels.view(), result.edges.view(), pixels_, camera_, noise_, params_.pose, seed_},
         params_.support);
@@ -223,6 +228,7 @@ class PipelineBody {
   }
 
   void trace_contours(FrameResult& result) {  // section 4.2.3
+    if (!joins_support()) collect_pixels(result, static_cast<int>(result.surfaces.size()));
     // The holes of the edge map are the regions as they were before edge pixels were given back.
     if (params_.contours.mode == ContourMode::edge_map)
       trace_edge_map(executor_.on_host(b_.edge), numbered_.view(), result.surfaces);
