@@ -17,8 +17,9 @@ constexpr double min_readings = 5;
 /// Slope of a surface, dz/dx, that is not unusual: 63 degrees to the image plane.
 constexpr double usual_slope = 2;
 
-/// The fit of a region that grows by less stays what it was.
-constexpr double max_growth = 1.1;
+/// A region that takes another that is smaller than noise, and smaller than itself by this factor, stays what
+/// it was.
+constexpr double much_larger = 10;
 
 /// Crease strength of an angle.
 float chord_of(float deg) {
@@ -54,23 +55,23 @@ void BasinMerging::fit(int i) {
       moments.fit({pixels_per_reading * sigma * sigma, usual_slope * q / focal_px_, curvature});
 }
 
-/// A region is as it was when the round began: its own root, grown by little, not waiting for another.
+/// A region is as it was when the round began: its own root, not grown, not waiting for another.
 bool BasinMerging::is_settled(int i) {
   const Standing& standing = standings_[static_cast<std::size_t>(i)];
-  return !standing.waits && graph_.find(i) == i &&
-         graph_.basin(i).moments.count() <= max_growth * standing.pixels;
+  return !standing.waits && !standing.grown && graph_.find(i) == i;
 }
 
 /// Joins the candidates, best first. A region whose best neighbour has changed waits for the next round.
 void BasinMerging::join_candidates() {
-  for (int i = 0; i < graph_.basin_count(); ++i)
-    standings_[static_cast<std::size_t>(i)] = {graph_.basin(i).moments.count(), false};
+  for (int i = 0; i < graph_.basin_count(); ++i) standings_[static_cast<std::size_t>(i)] = {};
   for (const auto& [difference, a, b] : candidates_) {
     Standing &first = standings_[static_cast<std::size_t>(a)],
              &second = standings_[static_cast<std::size_t>(b)];
     if (is_settled(a) && is_settled(b)) {
+      const double pixels_a = graph_.basin(a).moments.count(), pixels_b = graph_.basin(b).moments.count();
+      const double fewest = std::min(pixels_a, pixels_b), most = std::max(pixels_a, pixels_b);
       graph_.join(a, b);
-      first.pixels = std::max(first.pixels, second.pixels);
+      first.grown = fewest > min_readings * pixels_per_reading || most < much_larger * fewest;
       first.refit = true;
     } else {
       first.waits = second.waits = true;

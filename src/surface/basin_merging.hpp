@@ -40,8 +40,7 @@ class BasinMerging {
   };
   /// Of a region within a round.
   struct Standing {
-    double pixels = 0;  ///< when the round began; of the larger part where two were joined
-    bool waits = false, refit = false;
+    bool grown = false, waits = false, refit = false;
   };
   void join_shallow_basins(float floor);
   void fit(int i);
