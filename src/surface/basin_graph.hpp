@@ -47,9 +47,6 @@ struct BasinBorder {
   int points = 0;
   std::array<SeamPoint, most_points> point{};  ///< spread over the border
 
-  float difference = 0;  ///< of the patches on both sides, when these had judged_px pixels together
-  double judged_px = 0;
-
   std::span<const SeamPoint> seam() const { return {point.data(), static_cast<std::size_t>(points)}; }
   /// Mean strength; unknown_strength where it is known along fewer than three pairs.
   float strength() const;

@@ -17,10 +17,6 @@ constexpr double min_readings = 5;
 /// Slope of a surface, dz/dx, that is not unusual: 63 degrees to the image plane.
 constexpr double usual_slope = 2;
 
-/// A region that takes another that is smaller than noise, and smaller than itself by this factor, stays what
-/// it was.
-constexpr double much_larger = 10;
-
 /// Crease strength of an angle.
 float chord_of(float deg) {
   return 2 * std::sin(deg / 2 / degrees_per_radian);
@@ -55,52 +51,31 @@ void BasinMerging::fit(int i) {
       moments.fit({pixels_per_reading * sigma * sigma, usual_slope * q / focal_px_, curvature});
 }
 
-/// A region is as it was when the round began: its own root, not grown, not waiting for another.
-bool BasinMerging::is_settled(int i) {
-  const Standing& standing = standings_[static_cast<std::size_t>(i)];
-  return !standing.waits && !standing.grown && graph_.find(i) == i;
-}
-
-/// Joins the candidates, best first. A region whose best neighbour has changed waits for the next round.
-void BasinMerging::join_candidates() {
-  for (int i = 0; i < graph_.basin_count(); ++i) standings_[static_cast<std::size_t>(i)] = {};
-  for (const auto& [difference, a, b] : candidates_) {
-    Standing &first = standings_[static_cast<std::size_t>(a)],
-             &second = standings_[static_cast<std::size_t>(b)];
-    if (is_settled(a) && is_settled(b)) {
-      const double pixels_a = graph_.basin(a).moments.count(), pixels_b = graph_.basin(b).moments.count();
-      const double fewest = std::min(pixels_a, pixels_b), most = std::max(pixels_a, pixels_b);
-      graph_.join(a, b);
-      first.grown = fewest > min_readings * pixels_per_reading || most < much_larger * fewest;
-      first.refit = true;
-    } else {
-      first.waits = second.waits = true;
-    }
-  }
-  for (int i = 0; i < graph_.basin_count(); ++i)
-    if (standings_[static_cast<std::size_t>(i)].refit && graph_.find(i) == i) fit(i);
-}
-
 bool BasinMerging::merge_round(float most_strength) {
+  graph_.update_borders();
   const SeamTolerance tolerance{params_.crease_deg / static_cast<double>(degrees_per_radian),
                                 params_.step_ratio, params_.fit_sigmas};
-  graph_.update_borders();
   candidates_.clear();
-  for (BasinBorder& border : graph_.borders()) {
+  for (const BasinBorder& border : graph_.borders()) {
     if (border.strength() > most_strength) continue;
-    const double pixels = graph_.basin(border.a).moments.count() + graph_.basin(border.b).moments.count();
-    if (border.judged_px != pixels) {  // a side that has changed has grown
-      border.difference = static_cast<float>(seam_difference(fits_[static_cast<std::size_t>(border.a)],
-                                                             fits_[static_cast<std::size_t>(border.b)],
-                                                             border.seam(), focal_px_, tolerance));
-      border.judged_px = pixels;
-    }
-    if (border.difference < 1) candidates_.push_back({border.difference, border.a, border.b});
+    const double difference =
+        seam_difference(fits_[static_cast<std::size_t>(border.a)], fits_[static_cast<std::size_t>(border.b)],
+                        border.seam(), focal_px_, tolerance);
+    if (difference < 1) candidates_.push_back({static_cast<float>(difference), border.a, border.b});
   }
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& l, const Candidate& r) {
     return std::tie(l.difference, l.a, l.b) < std::tie(r.difference, r.a, r.b);
   });
-  join_candidates();
+  ++round_;
+  for (const auto& [difference, a, b] : candidates_) {
+    int &round_a = joined_in_[static_cast<std::size_t>(a)],
+        &round_b = joined_in_[static_cast<std::size_t>(b)];
+    const bool changed = round_a == round_ || round_b == round_;
+    round_a = round_b = round_;  // a region whose best neighbour has changed waits for the next round
+    if (changed) continue;
+    graph_.join(a, b);
+    fit(a);
+  }
   return !candidates_.empty();
 }
 
@@ -109,10 +84,11 @@ void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& par
   params_ = params;
   noise_ = noise;
   focal_px_ = static_cast<double>(landscape.camera.fx);
+  round_ = 0;
   graph_.build(landscape);
   join_shallow_basins(landscape.floor);
   fits_.resize(static_cast<std::size_t>(graph_.basin_count()));
-  standings_.resize(fits_.size());
+  joined_in_.assign(fits_.size(), 0);
   for (int i = 0; i < graph_.basin_count(); ++i)
     if (graph_.find(i) == i) fit(i);
   for (const float most_strength : {chord_of(params.flat_deg), unknown_strength})

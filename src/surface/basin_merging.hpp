@@ -25,7 +25,7 @@ struct MergeParams {
 /// Merges basins across borders that are no creases, so that noise, texture and the curvature of a cylinder
 /// do not split a surface. First, small basins that are no deeper than noise join the neighbour across their
 /// lowest pass. Then regions join by the difference of their patches, least first, in rounds in which a
-/// region grows by little, so that every decision rests on what the regions are now; first across borders
+/// region joins once at most, so that every decision rests on what the regions are now; first across borders
 /// that turn by little, so that fits within faces are sure before those near creases are judged by them.
 class BasinMerging {
  public:
@@ -38,20 +38,16 @@ class BasinMerging {
     float difference = 0;
     int a = 0, b = 0;
   };
-  /// Of a region within a round.
-  struct Standing {
-    bool grown = false, waits = false, refit = false;
-  };
   void join_shallow_basins(float floor);
   void fit(int i);
   bool merge_round(float most_strength);
-  bool is_settled(int i);
-  void join_candidates();
 
   BasinGraph graph_;
   std::vector<PatchFit> fits_;  ///< by basin
-  std::vector<Standing> standings_;
+  std::vector<int> joined_in_;  ///< last round in which a basin's region changed
   std::vector<Candidate> candidates_;
+  std::vector<int> order_;
+  int round_ = 0;
   MergeParams params_;
   DepthNoise noise_;
   double focal_px_ = 1;
