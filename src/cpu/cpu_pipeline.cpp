@@ -11,6 +11,7 @@
 #include "cpu/tuned/relocate.hpp"
 #include "cpu/tuned/temporal_average.hpp"
 #include "cpu/tuned/thinning.hpp"
+#include "cpu/tuned/wiener.hpp"
 #include "pipeline/frame_check.hpp"
 #include "pipeline/pipeline_body.hpp"
 

@@ -31,36 +31,63 @@ struct WienerParams {
 template <int Radius, bool detrend>
 struct WienerStatisticsOp {
   static constexpr int radius = Radius;
+  static constexpr int side = 2 * Radius + 1;
   static constexpr int min_valid = 5;
   ImageView<const float> depth_m;
   ImageView<float> mean_m, variance_m2;
 
+  /// Sums column by column, so that windows beside each other can share their columns.
   template <class Access>
   FACET_HD void operator()(int x, int y, Access access) const {
-    float n = 0, sum = 0;
-    for (int dy = -Radius; dy <= Radius; ++dy)
-      for (int dx = -Radius; dx <= Radius; ++dx) {
+    float sum = 0;
+    int n = 0;
+    FACET_UNROLL for (int dx = -Radius; dx <= Radius; ++dx) {
+      float column = 0;
+      FACET_UNROLL for (int dy = -Radius; dy <= Radius; ++dy) {
         const float z = access.clamped(depth_m, x + dx, y + dy);
-        n += z > 0 ? 1.0f : 0.0f;
-        sum += z;
+        n += z > 0 ? 1 : 0;
+        column += z;
       }
-    const float mean = sum / (n > 0 ? n : 1.0f);
-    float squares = 0, along_x = 0, along_y = 0;
-    for (int dy = -Radius; dy <= Radius; ++dy)
-      for (int dx = -Radius; dx <= Radius; ++dx) {
-        const float z = access.clamped(depth_m, x + dx, y + dy);
+      sum += column;
+    }
+    finish(x, y, sum, n, access);
+  }
+
+  /// The second pass: `sum` of the depths of the window's `n` valid pixels -> mean and variance.
+  template <class Access>
+  FACET_HD void finish(int x, int y, float sum, int n, Access access) const {
+    const float count = static_cast<float>(n > 0 ? n : 1);
+    const float mean = sum / count;
+    float squares = 0;
+    float rows[side] = {}, columns[side] = {};  // sums of the differences from the mean
+    FACET_UNROLL for (int j = 0; j < side; ++j) {
+      float row_squares = 0;
+      FACET_UNROLL for (int i = 0; i < side; ++i) {
+        const float z = access.clamped(depth_m, x + i - Radius, y + j - Radius);
         const float d = z > 0 ? z - mean : 0.0f;
-        squares += d * d;
-        along_x += static_cast<float>(dx) * d;
-        along_y += static_cast<float>(dy) * d;
+        row_squares += d * d;
+        rows[j] += d;
+        columns[i] += d;
       }
-    // Sum of dx^2 over the window: (2R+1) * R (R+1) (2R+1) / 3. With holes the slope is slightly damped.
-    constexpr float spread = (2 * Radius + 1) * (2 * Radius + 1) * Radius * (Radius + 1) / 3.0f;
-    const float trend = detrend ? (along_x * along_x + along_y * along_y) / spread : 0.0f;
-    const float residual = squares - trend;
-    const float variance = (residual > 0 ? residual : 0.0f) / (n > 0 ? n : 1.0f);
+      squares += row_squares;
+    }
+    const float residual = squares - (detrend ? explained_by_slope(columns, rows) : 0.0f);
     mean_m(x, y) = mean;
-    variance_m2(x, y) = n >= min_valid && depth_m(x, y) > 0 ? variance : -1.0f;
+    variance_m2(x, y) =
+        n >= min_valid && depth_m(x, y) > 0 ? (residual > 0 ? residual : 0.0f) / count : -1.0f;
+  }
+
+ private:
+  /// Sum of squares that the least-squares plane of a full window explains; with holes its slope is slightly
+  /// damped.
+  FACET_HD static float explained_by_slope(const float (&columns)[side], const float (&rows)[side]) {
+    constexpr float spread = side * side * Radius * (Radius + 1) / 3.0f;  // sum of dx^2 over the window
+    float along_x = 0, along_y = 0;
+    FACET_UNROLL for (int k = 1; k <= Radius; ++k) {
+      along_x += static_cast<float>(k) * (columns[Radius + k] - columns[Radius - k]);
+      along_y += static_cast<float>(k) * (rows[Radius + k] - rows[Radius - k]);
+    }
+    return (along_x * along_x + along_y * along_y) / spread;
   }
 };
 
@@ -108,6 +135,11 @@ struct WienerApplyOp {
   }
 };
 
+template <class Executor, int radius, bool detrend>
+void window_statistics(Executor& executor, const WienerStatisticsOp<radius, detrend>& op) {
+  executor.for_each_pixel(op.depth_m.size(), op);
+}
+
 /// Adaptive Wiener filter over valid pixels (paper eq. 2; Lim 1990, eqs 9.44-9.46). `mean_m` and
 /// `variance_m2` are scratch of the same size. Missing pixels stay missing.
 template <class Executor>
@@ -117,9 +149,9 @@ void wiener(Executor& executor, const WienerParams& params, const DepthNoise& se
   const Size size = depth_m.size();
   const auto statistics = [&](auto radius) {
     if (params.detrend)
-      executor.for_each_pixel(size, WienerStatisticsOp<radius(), true>{depth_m, mean_m, variance_m2});
+      window_statistics(executor, WienerStatisticsOp<radius(), true>{depth_m, mean_m, variance_m2});
     else
-      executor.for_each_pixel(size, WienerStatisticsOp<radius(), false>{depth_m, mean_m, variance_m2});
+      window_statistics(executor, WienerStatisticsOp<radius(), false>{depth_m, mean_m, variance_m2});
   };
   switch (params.window_px / 2) {
     case 1:
