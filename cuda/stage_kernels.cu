@@ -58,7 +58,7 @@ struct LaunchOnlyExecutor {
 };
 
 void compile_every_stage(LaunchOnlyExecutor& e, ImageView<float> f, ImageView<std::uint8_t> m,
-                         ImageView<std::int32_t> i, ImageView<Vec3> n, ImageView<std::uint16_t> l,
+                         ImageView<std::int32_t> i, const NormalViews<float>& n, ImageView<std::uint16_t> l,
                          const Camera& c, const DepthNoise& d,
                          const TemporalHistory<LaunchOnlyExecutor>& history) {
   temporal_average(e, TemporalParams{}, d, history, f);

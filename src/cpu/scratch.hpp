@@ -16,7 +16,6 @@ struct CpuScratch {
   std::vector<std::uint8_t> row, rows_due, rows_due_next;
   FillGrid fill_grid;
   std::vector<float> values;
-  std::vector<std::int64_t> sums;
 };
 
 }  // namespace facet

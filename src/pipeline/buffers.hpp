@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "core/image.hpp"
-#include "core/vec.hpp"
 
 namespace facet {
 
@@ -18,7 +17,6 @@ struct Buffers {
   Image<std::uint8_t> filled, direction, ridge, depth_edge, crease_edge, edge, distance;
   Image<std::uint8_t> mask_a, mask_b, mask_c, code;
   Image<std::int32_t> inverse_depth, root;
-  Image<Vec3> normal;
   Image<std::uint16_t> label, owner;
 
   void resize(Size size) {
@@ -29,7 +27,6 @@ struct Buffers {
       i->resize(size);
     inverse_depth.resize(size);
     root.resize(size);
-    normal.resize(size);
     label.resize(size);
     owner.resize(size);
   }

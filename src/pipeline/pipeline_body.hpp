@@ -140,10 +140,10 @@ class PipelineBody {
     inverse_depth(executor_, b_.depth.view(), b_.inverse_depth.view());
     edge_distance(executor_, b_.depth.view(), b_.depth_edge.view(), params_.cd.radius_px + 1,
                   b_.distance.view(), b_.mask_a.view());
+    const NormalViews<float> normal{b_.scratch_a.view(), b_.scratch_b.view(), b_.scratch_c.view()};
     fit_normals(executor_, params_.cd.radius_px, camera_, b_.inverse_depth.view(), b_.distance.view(),
-                b_.normal.view());
-    normal_change(executor_, params_.cd, b_.normal.view(), b_.distance.view(), b_.strength.view(),
-                  b_.direction.view());
+                normal);
+    normal_change(executor_, params_.cd, normal, b_.distance.view(), b_.strength.view(), b_.direction.view());
   }
 
   void trace_creases() {  // section 4.2.1

@@ -9,6 +9,7 @@
 #include "core/image_view.hpp"
 #include "core/neighbours.hpp"
 #include "core/vec.hpp"
+#include "stage/normals.hpp"
 
 namespace facet {
 
@@ -137,40 +138,45 @@ struct CurvatureGradientOp {
   }
 };
 
-/// Angle between the normals on both sides of the pixel, `offset_px` away from it, the largest of four
+/// Angle between the normals on both sides of the pixel, `radius` away from it, the largest of four
 /// directions, as the chord |n1 - n2| = 2 sin(angle / 2): no arc cosine before a decision. Pixels near a
 /// depth edge or a hole (distance below `guard_px`) have strength 0.
 struct NormalChangeOp {
-  static constexpr int radius = 16;
-  ImageView<const Vec3> normal;
+  NormalViews<const float> normal;
   ImageView<const std::uint8_t> distance_px;
-  int offset_px;
+  int radius;
   int guard_px;
   ImageView<float> strength;
   ImageView<std::uint8_t> direction;
 
   template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
+  FACET_HD void operator()(int x, int y, Access access) const {
     float best = 0;
     int across = 0;
-    if (distance_px(x, y) > guard_px)
-      for (int i = 0; i < 4; ++i) {
-        const float c = chord_squared(x, y, direction4(i));
-        if (c > best) best = c, across = i;
-      }
-    strength(x, y) = sqrtf(best);
-    direction(x, y) = static_cast<std::uint8_t>(across);
+    FACET_UNROLL for (int i = 0; i < 4; ++i) {
+      const float c = chord_squared(x, y, direction4(i), access);
+      const bool larger = c > best;
+      best = larger ? c : best;
+      across = larger ? i : across;
+    }
+    const bool guarded = distance_px(x, y) <= guard_px;
+    strength(x, y) = sqrtf(guarded ? 0.0f : best);
+    direction(x, y) = static_cast<std::uint8_t>(guarded ? 0 : across);
   }
 
  private:
-  /// Squared chord over +-offset, or 0 where either side has no normal.
-  FACET_HD float chord_squared(int x, int y, Offset d) const {
-    const int step = d.dx != 0 && d.dy != 0 ? (offset_px * 3 + 2) / 4 : offset_px;  // diagonals are longer
-    const int x0 = x - step * d.dx, y0 = y - step * d.dy, x1 = x + step * d.dx, y1 = y + step * d.dy;
-    if (!normal.size().contains(x0, y0) || !normal.size().contains(x1, y1)) return 0;
-    const Vec3 a = normal(x0, y0), b = normal(x1, y1);
-    if (dot(a, a) == 0 || dot(b, b) == 0) return 0;
-    return dot(a - b, a - b);
+  /// Squared chord over +-radius, or 0 where either side has no normal.
+  template <class Access>
+  FACET_HD float chord_squared(int x, int y, Offset d, Access access) const {
+    const int step = d.dx != 0 && d.dy != 0 ? (radius * 3 + 2) / 4 : radius;  // diagonals are longer
+    const Vec3 a = normal_at(x - step * d.dx, y - step * d.dy, access);
+    const Vec3 b = normal_at(x + step * d.dx, y + step * d.dy, access);
+    const bool known = (dot(a, a) > 0) & (dot(b, b) > 0);
+    return known ? dot(a - b, a - b) : 0.0f;
+  }
+  template <class Access>
+  FACET_HD Vec3 normal_at(int x, int y, Access access) const {
+    return {access.or_zero(normal.x, x, y), access.or_zero(normal.y, x, y), access.or_zero(normal.z, x, y)};
   }
 };
 
@@ -203,7 +209,7 @@ void curvature_gradient(Executor& executor, const Camera& camera, ImageView<cons
 
 /// Crease strength from fitted normals [chord length, 2 sin(angle / 2)].
 template <class Executor>
-void normal_change(Executor& executor, const CreaseParams& params, ImageView<const Vec3> normal,
+void normal_change(Executor& executor, const CreaseParams& params, const NormalViews<const float>& normal,
                    ImageView<const std::uint8_t> distance_px, ImageView<float> strength,
                    ImageView<std::uint8_t> direction) {
   executor.for_each_pixel(normal.size(), NormalChangeOp{normal, distance_px, params.radius_px,

@@ -25,9 +25,20 @@ struct InverseDepthOp {
   }
 };
 
-/// Sums of a plane fit q = c + a dx + b dy over a full square window centred on the pixel.
+/// Three images side by side, so that neighbouring pixels' normals can be worked on at once.
+template <class T>
+struct NormalViews {
+  ImageView<T> x, y, z;
+
+  FACET_HD Size size() const { return x.size(); }
+  FACET_HD void set(int px, int py, Vec3 n) const { x(px, py) = n.x, y(px, py) = n.y, z(px, py) = n.z; }
+  FACET_HD operator NormalViews<const T>() const { return {x, y, z}; }
+};
+
+/// Sums of a plane fit q = c + a dx + b dy over a full square window centred on the pixel; exact integers
+/// before they were rounded to float.
 struct WindowSums {
-  std::int64_t q = 0, dx_q = 0, dy_q = 0;
+  float q = 0, dx_q = 0, dy_q = 0;
 };
 
 /// Unit normal, towards the camera, of the plane whose inverse depth has these window sums. Over a plane n .
@@ -37,9 +48,9 @@ FACET_HD inline Vec3 normal_from_sums(const WindowSums& sums, int half_side, int
                                       const Camera& camera) {
   const float side = static_cast<float>(2 * half_side + 1);
   const float spread = side * side * static_cast<float>(half_side * (half_side + 1)) / 3.0f;  // sum of dx^2
-  const float a = static_cast<float>(sums.dx_q) / spread;
-  const float b = static_cast<float>(sums.dy_q) / spread;
-  const float c = static_cast<float>(sums.q) / (side * side);
+  const float a = sums.dx_q / spread;
+  const float b = sums.dy_q / spread;
+  const float c = sums.q / (side * side);
   const Vec3 away{a * camera.fx, b * camera.fy,
                   c - a * (static_cast<float>(x) - camera.cx) - b * (static_cast<float>(y) - camera.cy)};
   return normalized(-away);
@@ -61,20 +72,21 @@ struct NormalOp {
   ImageView<const std::uint8_t> distance_px;
   int radius_px;
   Camera camera;
-  ImageView<Vec3> normal;
+  NormalViews<float> normal;
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
     const int half = fit_half_side(distance_px(x, y), radius_px);
-    WindowSums sums;
+    std::int64_t sum = 0, dx_sum = 0, dy_sum = 0;
     for (int dy = -half; dy <= half; ++dy)
       for (int dx = -half; dx <= half; ++dx) {
         const std::int64_t q = inverse_depth(x + dx, y + dy);
-        sums.q += q;
-        sums.dx_q += dx * q;
-        sums.dy_q += dy * q;
+        sum += q;
+        dx_sum += dx * q;
+        dy_sum += dy * q;
       }
-    normal(x, y) = half > 0 ? normal_from_sums(sums, half, x, y, camera) : Vec3{};
+    const WindowSums sums{static_cast<float>(sum), static_cast<float>(dx_sum), static_cast<float>(dy_sum)};
+    normal.set(x, y, half > 0 ? normal_from_sums(sums, half, x, y, camera) : Vec3{});
   }
 };
 
@@ -89,7 +101,7 @@ void inverse_depth(Executor& executor, ImageView<const float> depth_m,
 template <class Executor>
 void fit_normals(Executor& executor, int radius_px, const Camera& camera,
                  ImageView<const std::int32_t> inverse_depth, ImageView<const std::uint8_t> distance_px,
-                 ImageView<Vec3> normal) {
+                 const NormalViews<float>& normal) {
   executor.for_each_pixel(normal.size(), NormalOp{inverse_depth, distance_px, radius_px, camera, normal});
 }
 

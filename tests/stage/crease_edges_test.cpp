@@ -8,6 +8,7 @@
 #include "support/analytic_depth.hpp"
 #include "support/every_executor.hpp"
 #include "support/masks.hpp"
+#include "support/normal_planes.hpp"
 
 namespace facet {
 namespace {
@@ -51,7 +52,7 @@ template <class Executor>
 Strength normal_strength(Executor& executor, const CreaseParams& params, const Image<Vec3>& normal,
                          const Mask& distance) {
   Strength out{Image<float>(normal.size()), Mask(normal.size())};
-  normal_change(executor, params, normal.view(), distance.view(), std::get<0>(out).view(),
+  normal_change(executor, params, NormalPlanes(normal).views(), distance.view(), std::get<0>(out).view(),
                 std::get<1>(out).view());
   return out;
 }

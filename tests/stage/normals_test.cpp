@@ -6,6 +6,7 @@
 #include "support/analytic_depth.hpp"
 #include "support/every_executor.hpp"
 #include "support/masks.hpp"
+#include "support/normal_planes.hpp"
 
 namespace facet {
 namespace {
@@ -16,10 +17,10 @@ constexpr Camera camera{525, 520, 70.3f, 64.8f};  // deliberately not the image'
 template <class Executor>
 Image<Vec3> normals_of(Executor& executor, const Image<float>& depth, const Mask& distance, int radius_px) {
   Image<std::int32_t> q(depth.size());
-  Image<Vec3> normal(depth.size());
+  NormalPlanes normal{Image<Vec3>(depth.size())};
   inverse_depth(executor, depth.view(), q.view());
-  fit_normals(executor, radius_px, camera, std::as_const(q).view(), distance.view(), normal.view());
-  return normal;
+  fit_normals(executor, radius_px, camera, std::as_const(q).view(), distance.view(), normal.views());
+  return normal.vectors();
 }
 Image<Vec3> normals_of(const Image<float>& depth, const Mask& distance, int radius_px) {
   CpuExecutor executor;

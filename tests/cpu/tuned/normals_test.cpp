@@ -6,6 +6,7 @@
 #include "stage/normals.hpp"
 #include "support/every_executor.hpp"
 #include "support/masks.hpp"
+#include "support/normal_planes.hpp"
 
 namespace facet {
 namespace {
@@ -15,10 +16,10 @@ constexpr Camera camera{525, 520, 300.3f, 244.8f};
 template <class Executor>
 Image<Vec3> normals_of(Executor& executor, const Image<float>& depth, const Mask& distance, int radius_px) {
   Image<std::int32_t> q(depth.size());
-  Image<Vec3> normal(depth.size(), Vec3{7, 7, 7});
+  NormalPlanes normal{Image<Vec3>(depth.size(), Vec3{7, 7, 7})};
   inverse_depth(executor, depth.view(), q.view());
-  fit_normals(executor, radius_px, camera, std::as_const(q).view(), distance.view(), normal.view());
-  return normal;
+  fit_normals(executor, radius_px, camera, std::as_const(q).view(), distance.view(), normal.views());
+  return normal.vectors();
 }
 
 /// Windows of every size that stay inside the image, in no order.
