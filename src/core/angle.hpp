@@ -1,10 +1,17 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/host_device.hpp"
 
 namespace facet {
 
 inline constexpr float degrees_per_radian = 57.295779513f;
+
+/// Distance of two unit vectors at this angle.
+inline float chord_of(float deg) {
+  return 2 * std::sin(deg / 2 / degrees_per_radian);
+}
 
 /// Angle of (x, y) in (-pi, pi] from + - * / alone, so that it is the same to the bit on every back end; a
 /// minimax polynomial of degree 11 on [0, 1], absolute error below 1e-5 rad. (0, 0) gives 0.

@@ -4,6 +4,10 @@
 
 namespace facet {
 
+/// Pixels per independent reading: sensors correlate the noise of neighbouring pixels (block matching
+/// windows).
+inline constexpr double pixels_per_reading = 20;
+
 /// Standard deviation of one depth reading as a function of depth [m]: a + b (z - z0)^2.
 struct DepthNoise {
   float a_m = 0.0012f;      ///< noise at the reference depth [m]

@@ -154,7 +154,7 @@ class PipelineBody {
 
   /// Strength for an angle: fitted normals are compared by their chord, directions by degrees.
   float crease_strength_of(float deg) const {
-    return params_.cd.mode == CreaseMode::normals ? 2 * std::sin(deg / 2 / degrees_per_radian) : deg;
+    return params_.cd.mode == CreaseMode::normals ? chord_of(deg) : deg;
   }
 
   /// Closed creases: the borders that are left between the basins of the crease strength after merging.

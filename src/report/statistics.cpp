@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "score/intervals.hpp"
+
 namespace facet {
 
 double mean_of(std::span<const double> values) {
@@ -20,22 +22,14 @@ double deviation_of(std::span<const double> values) {
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-double quantile_of_sorted(std::span<const double> sorted, double q) {
-  const double position = q * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  const double share = position - static_cast<double>(below);
-  return sorted[below] + share * (sorted[above] - sorted[below]);
-}
-
 int count_outliers(std::span<const double> values) {
   if (values.empty()) return 0;
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());
-  const double median = quantile_of_sorted(sorted, 0.5);
+  const double median = sorted_quantile(sorted, 0.5);
   for (double& v : sorted) v = std::abs(v - median);
   std::sort(sorted.begin(), sorted.end());
-  const double mad = quantile_of_sorted(sorted, 0.5);
+  const double mad = sorted_quantile(sorted, 0.5);
   if (mad == 0) return 0;
   return static_cast<int>(
       std::count_if(sorted.begin(), sorted.end(), [&](double d) { return 0.6745 * d / mad > 3.5; }));

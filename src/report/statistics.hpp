@@ -11,8 +11,6 @@ namespace facet {
 double mean_of(std::span<const double> values);
 /// Sample standard deviation (n - 1); 0 for fewer than two values.
 double deviation_of(std::span<const double> values);
-/// Quantile q in [0, 1] of sorted values, linear between order statistics. Needs at least one value.
-double quantile_of_sorted(std::span<const double> sorted, double q);
 /// Values whose modified z score 0.6745 |x - median| / MAD exceeds 3.5 (Iglewicz and Hoaglin 1993); none
 /// where the MAD is 0.
 int count_outliers(std::span<const double> values);

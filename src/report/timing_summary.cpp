@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "record/csv.hpp"
+#include "score/intervals.hpp"
 
 namespace facet {
 namespace {
@@ -109,9 +110,9 @@ TimeStatistics summarize_times(std::span<const double> ms) {
   result.max_ms = sorted.back();
   for (std::size_t i = 0; i < percentiles.size(); ++i)
     if (result.n >= least_samples_for(percentiles[i]))
-      result.percentile_ms[i] = quantile_of_sorted(sorted, percentiles[i] / 100.0);
+      result.percentile_ms[i] = sorted_quantile(sorted, percentiles[i] / 100.0);
   constexpr std::array<double, 5> box{0.05, 0.25, 0.5, 0.75, 0.95};
-  for (std::size_t i = 0; i < box.size(); ++i) result.box_ms[i] = quantile_of_sorted(sorted, box[i]);
+  for (std::size_t i = 0; i < box.size(); ++i) result.box_ms[i] = sorted_quantile(sorted, box[i]);
   for (std::size_t i = 0; i < deadlines_ms.size(); ++i)
     result.deadline_misses[i] = static_cast<int>(
         std::count_if(ms.begin(), ms.end(), [&](double value) { return value > deadlines_ms[i]; }));

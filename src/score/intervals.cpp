@@ -49,7 +49,7 @@ std::optional<Interval> percentile_interval(std::vector<double> values) {
   return Interval{sorted_quantile(values, 0.025), sorted_quantile(values, 0.975)};
 }
 
-double sorted_quantile(const std::vector<double>& sorted, double q) {
+double sorted_quantile(std::span<const double> sorted, double q) {
   const double position = q * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(position);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);

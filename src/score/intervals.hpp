@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,6 @@ void for_each_resample(const std::vector<std::string>& sequences, const Bootstra
 /// Interval between the 2.5 % and 97.5 % quantiles (linear between order statistics); nothing for no values.
 std::optional<Interval> percentile_interval(std::vector<double> values);
 /// Quantile q in [0, 1] of sorted values. Needs at least one value.
-double sorted_quantile(const std::vector<double>& sorted, double q);
+double sorted_quantile(std::span<const double> sorted, double q);
 
 }  // namespace facet

@@ -11,34 +11,20 @@ namespace {
 /// A border known along fewer pairs than this says nothing.
 constexpr int min_known_pairs = 3;
 
-/// Joins borders between the same two regions; their points stay evenly spread.
-BasinBorder united(std::span<const BasinBorder> parts) {
-  BasinBorder whole = parts[0];
-  for (const BasinBorder& part : parts.subspan(1)) {
-    whole.length += part.length;
-    whole.known += part.known;
-    whole.sum += part.sum;
-    whole.lowest = std::min(whole.lowest, part.lowest);
-  }
-  constexpr auto most = static_cast<int>(BasinBorder::most_points);
-  whole.points = std::min(whole.length, most);
-  int part = 0, passed = 0;
-  for (int k = 0; k < whole.points; ++k) {
-    const int place = (2 * k + 1) * whole.length / (2 * whole.points);
-    const auto at = [&]() -> const BasinBorder& { return parts[static_cast<std::size_t>(part)]; };
-    while (place >= passed + at().length) passed += at().length, ++part;
-    const int own = (place - passed) * at().points / at().length;
-    whole.point[static_cast<std::size_t>(k)] = at().point[static_cast<std::size_t>(own)];
-  }
-  return whole;
-}
-
-/// Calls for_group(span) for every run of items between the same two regions.
-template <class Item, class ForGroup>
-void for_each_group(std::span<const Item> items, const ForGroup& for_group) {
-  for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
-    while (end < items.size() && items[end].a == items[begin].a && items[end].b == items[begin].b) ++end;
-    for_group(items.subspan(begin, end - begin));
+/// Adds another border between the same two regions; the points stay evenly spread.
+void extend(BasinBorder& border, const BasinBorder& other) {
+  const BasinBorder before = border;
+  border.length += other.length;
+  border.known += other.known;
+  border.sum += other.sum;
+  border.lowest = std::min(border.lowest, other.lowest);
+  border.points = std::min(border.length, static_cast<int>(BasinBorder::most_points));
+  for (int k = 0; k < border.points; ++k) {
+    const int place = (2 * k + 1) * border.length / (2 * border.points);
+    const bool is_first = place < before.length;
+    const BasinBorder& part = is_first ? before : other;
+    const int own = (place - (is_first ? 0 : before.length)) * part.points / part.length;
+    border.point[static_cast<std::size_t>(k)] = part.point[static_cast<std::size_t>(own)];
   }
 }
 
@@ -50,8 +36,10 @@ float BasinBorder::strength() const {
 
 void BasinGraph::build(const BasinLandscape& landscape) {
   collect_basins(landscape);
+  sets_.reset(basin_count());
   collect_contacts(landscape);
   collect_borders(landscape);
+  list_borders();
 }
 
 void BasinGraph::collect_basins(const BasinLandscape& l) {
@@ -66,7 +54,7 @@ void BasinGraph::collect_basins(const BasinLandscape& l) {
       std::int32_t& index = index_[static_cast<std::size_t>(name)];
       if (index < 0) {
         index = static_cast<std::int32_t>(basins_.size());
-        basins_.push_back({index, name, unknown_strength, {}});
+        basins_.push_back({name, unknown_strength, {}});
       }
       Basin& basin = basins_[static_cast<std::size_t>(index)];
       const std::int32_t* q = l.inverse_depth.row(y) + begin;
@@ -118,41 +106,56 @@ BasinBorder BasinGraph::border_of(const BasinLandscape& l, std::span<const Conta
 
 void BasinGraph::collect_borders(const BasinLandscape& landscape) {
   borders_.clear();
-  for_each_group(std::span<const Contact>(contacts_),
-                 [&](std::span<const Contact> group) { borders_.push_back(border_of(landscape, group)); });
+  const std::span<const Contact> all = contacts_;
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    while (end < all.size() && all[end].a == all[begin].a && all[end].b == all[begin].b) ++end;
+    borders_.push_back(border_of(landscape, all.subspan(begin, end - begin)));
+  }
 }
 
-int BasinGraph::find(int i) {
-  auto parent = [&](int k) -> int& { return basins_[static_cast<std::size_t>(k)].parent; };
-  while (parent(i) != i) i = parent(i) = parent(parent(i));
-  return i;
+void BasinGraph::list_borders() {
+  first_.assign(basins_.size(), -1);
+  last_.assign(basins_.size(), -1);
+  shared_.assign(basins_.size(), -1);
+  next_.assign(2 * borders_.size(), -1);
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    const auto append = [this](int region, int side) {
+      int& last = last_[static_cast<std::size_t>(region)];
+      (last < 0 ? first_[static_cast<std::size_t>(region)] : next_[static_cast<std::size_t>(last)]) = side;
+      last = side;
+    };
+    append(borders_[i].a, static_cast<int>(2 * i));
+    append(borders_[i].b, static_cast<int>(2 * i + 1));
+  }
+}
+
+int BasinGraph::neighbour_across(int border_index, int region) {
+  const int a = find(border(border_index).a);
+  return a == region ? find(border(border_index).b) : a;
 }
 
 void BasinGraph::join(int a, int b) {
-  Basin &into = basin(a), &from = basin(b);
-  from.parent = a;
+  if (b < a) std::swap(a, b);
+  const auto shared = [this](int region) -> int& { return shared_[static_cast<std::size_t>(region)]; };
+  for_each_border_of(a, [&](int i) { shared(neighbour_across(i, a)) = i; });
+  for_each_border_of(b, [&](int i) {
+    const int neighbour = neighbour_across(i, b), other = shared(neighbour);
+    if (neighbour != a && other < 0) return;
+    if (neighbour != a) extend(border(other), border(i));
+    border(i).length = 0;
+  });
+  for_each_border_of(a, [&](int i) { shared(neighbour_across(i, a)) = -1; });
+  shared(b) = -1;
+
+  const auto side = [](std::vector<int>& sides, int k) -> int& { return sides[static_cast<std::size_t>(k)]; };
+  (side(last_, a) < 0 ? side(first_, a) : side(next_, side(last_, a))) = side(first_, b);
+  if (side(last_, b) >= 0) side(last_, a) = side(last_, b);
+  sets_.join(a, b);
+  Basin& into = basin(a);
+  const Basin& from = basin(b);
   into.name = std::min(into.name, from.name);
   into.lowest = std::min(into.lowest, from.lowest);
   into.moments += from.moments;
-}
-
-void BasinGraph::update_borders() {
-  order_.clear();
-  for (std::size_t i = 0; i < borders_.size(); ++i) {
-    const int a = find(borders_[i].a), b = find(borders_[i].b);
-    if (a != b) order_.push_back({std::min(a, b), std::max(a, b), static_cast<int>(i)});
-  }
-  std::sort(order_.begin(), order_.end(), [](const Place& l, const Place& r) {
-    return std::tie(l.a, l.b, l.index) < std::tie(r.a, r.b, r.index);
-  });
-  joined_.clear();
-  for_each_group(std::span<const Place>(order_), [&](std::span<const Place> group) {
-    parts_.clear();
-    for (const Place& place : group) parts_.push_back(borders_[static_cast<std::size_t>(place.index)]);
-    joined_.push_back(united(parts_));
-    joined_.back().a = group[0].a, joined_.back().b = group[0].b;
-  });
-  borders_.swap(joined_);
 }
 
 void BasinGraph::write_regions(const BasinLandscape& l, ImageView<std::int32_t> region) {

@@ -7,6 +7,7 @@
 
 #include "core/camera.hpp"
 #include "core/image.hpp"
+#include "surface/disjoint_sets.hpp"
 #include "surface/patch_fit.hpp"
 #include "surface/patch_seam.hpp"
 
@@ -29,7 +30,6 @@ struct BasinLandscape {
 
 /// A basin, or several that were joined.
 struct Basin {
-  int parent = 0;                   ///< union-find over basins
   std::int32_t name = 0;            ///< the smallest of the names of its basins
   float lowest = unknown_strength;  ///< of the known strengths inside
   PatchMoments moments;
@@ -39,8 +39,8 @@ struct Basin {
 struct BasinBorder {
   static constexpr std::size_t most_points = 12;
 
-  int a = 0, b = 0;                 ///< a < b
-  int length = 0;                   ///< pairs of neighbours
+  int a = 0, b = 0;                 ///< basins on its sides, a < b
+  int length = 0;                   ///< pairs of neighbours; 0 = gone: its sides are one, or another has it
   int known = 0;                    ///< of these, where the strength is known
   float sum = 0;                    ///< of the known strengths
   float lowest = unknown_strength;  ///< of the known strengths
@@ -52,23 +52,40 @@ struct BasinBorder {
   float strength() const;
 };
 
-/// Basins and the borders between them, joined step by step.
+/// Basins and the borders between them, joined step by step. A region is named by its first basin; there is
+/// one border between any two regions that touch.
 class BasinGraph {
  public:
   void build(const BasinLandscape& landscape);
-  /// Joins the region named by basin `b` to that of `a`; both are their own parents.
+  /// Makes one region of two.
   void join(int a, int b);
-  int find(int i);
-  /// Names the sides of every border by their present regions, drops borders inside a region and joins those
-  /// between the same two. Afterwards they are in order of (a, b).
-  void update_borders();
+  /// The region that a basin belongs to.
+  int find(int i) { return sets_.find(i); }
+  /// Calls visit(i) for every border of a region.
+  template <class Visit>
+  void for_each_border_of(int region, const Visit& visit) {
+    int* link = &first_[static_cast<std::size_t>(region)];
+    last_[static_cast<std::size_t>(region)] = -1;
+    while (*link >= 0) {
+      const int side = *link;
+      int& next = next_[static_cast<std::size_t>(side)];
+      if (border(side / 2).length == 0) {
+        *link = next;
+        continue;
+      }
+      visit(side / 2);
+      last_[static_cast<std::size_t>(region)] = side;
+      link = &next;
+    }
+  }
   /// Names of the regions, per pixel.
   void write_regions(const BasinLandscape& landscape, ImageView<std::int32_t> region);
 
   Basin& basin(int i) { return basins_[static_cast<std::size_t>(i)]; }
   const Basin& basin(int i) const { return basins_[static_cast<std::size_t>(i)]; }
   int basin_count() const { return static_cast<int>(basins_.size()); }
-  std::vector<BasinBorder>& borders() { return borders_; }
+  BasinBorder& border(int i) { return borders_[static_cast<std::size_t>(i)]; }
+  const std::vector<BasinBorder>& borders() const { return borders_; }
 
  private:
   struct Contact {
@@ -76,18 +93,20 @@ class BasinGraph {
     int place;  ///< raster index, twice, plus the direction
     float strength;
   };
-  struct Place {
-    int a, b;
-    int index;
-  };
   void collect_basins(const BasinLandscape& landscape);
   void collect_contacts(const BasinLandscape& landscape);
   void collect_borders(const BasinLandscape& landscape);
   static BasinBorder border_of(const BasinLandscape& landscape, std::span<const Contact> contacts);
+  void list_borders();
+  int neighbour_across(int border_index, int region);
 
   std::vector<Basin> basins_;
-  std::vector<BasinBorder> borders_, joined_, parts_;
-  std::vector<Place> order_;
+  DisjointSets sets_;
+  std::vector<BasinBorder> borders_;
+  // The borders of every region as a linked list of their sides: 2 i and 2 i + 1 are those of border i.
+  std::vector<int> first_, last_;    ///< side by region, -1 = none
+  std::vector<int> next_;            ///< side by side, -1 = none
+  std::vector<int> shared_;          ///< while joining: border with the first region by neighbour, -1 = none
   std::vector<Contact> contacts_;    ///< pairs of neighbours in different basins
   std::vector<std::int32_t> index_;  ///< basin index by raster index of its name
 };

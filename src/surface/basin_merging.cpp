@@ -1,99 +1,119 @@
 #include "surface/basin_merging.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
+#include <numeric>
+#include <utility>
 
 #include "core/angle.hpp"
 
 namespace facet {
 namespace {
 
-/// Pixels per independent reading: sensors correlate the noise of neighbouring pixels (block matching
-/// windows).
-constexpr double pixels_per_reading = 20;
 /// Basins of fewer independent readings than this may be noise.
 constexpr double min_readings = 5;
 /// Slope of a surface, dz/dx, that is not unusual: 63 degrees to the image plane.
 constexpr double usual_slope = 2;
-
-/// Crease strength of an angle.
-float chord_of(float deg) {
-  return 2 * std::sin(deg / 2 / degrees_per_radian);
-}
+/// A region's borders are judged anew when it has grown by this factor, and one about to be joined always.
+constexpr double patch_growth = 1.1;
 
 }  // namespace
 
 /// The topographic dynamics of a basin: how high its lowest pass is above its bottom.
 void BasinMerging::join_shallow_basins(float floor) {
-  auto& borders = graph_.borders();
-  std::sort(borders.begin(), borders.end(), [](const BasinBorder& l, const BasinBorder& r) {
-    return std::tie(l.lowest, l.a, l.b) < std::tie(r.lowest, r.a, r.b);
+  order_.resize(graph_.borders().size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::sort(order_.begin(), order_.end(), [this](int l, int r) {
+    return std::pair(graph_.border(l).lowest, l) < std::pair(graph_.border(r).lowest, r);
   });
-  for (const BasinBorder& border : borders) {
-    const int a = graph_.find(border.a), b = graph_.find(border.b);
-    if (a == b || border.lowest >= unknown_strength) continue;
+  for (const int i : order_) {
+    const float pass = graph_.border(i).lowest;
+    const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
+    if (a == b || pass >= unknown_strength) continue;
     const Basin &l = graph_.basin(a), &r = graph_.basin(b);
     const bool few = std::min(l.moments.count(), r.moments.count()) <= min_readings * pixels_per_reading;
-    if (few && border.lowest - std::max(l.lowest, r.lowest) < floor)
-      graph_.join(std::min(a, b), std::max(a, b));
+    if (few && pass - std::max(l.lowest, r.lowest) < floor) graph_.join(a, b);
   }
 }
 
-void BasinMerging::fit(int i) {
-  const PatchMoments& moments = graph_.basin(i).moments;
+void BasinMerging::fit(int region) {
+  const PatchMoments& moments = graph_.basin(region).moments;
   const double q = moments.mean_q();  // noise of q = noise of z times q^2
   const double sigma = noise_.sigma_m(static_cast<float>(1 / q)) * q * q;
   // A surface of radius R has dq/dx = q/f times its slope dz/dx, and d2q/dx2 = 1 / (R f^2).
   const double curvature =
       params_.curve_radius_mm > 0 ? 1e3 / (params_.curve_radius_mm * focal_px_ * focal_px_) : 1e-12;
-  fits_[static_cast<std::size_t>(i)] =
+  fits_[static_cast<std::size_t>(region)] =
       moments.fit({pixels_per_reading * sigma * sigma, usual_slope * q / focal_px_, curvature});
 }
 
-bool BasinMerging::merge_round(float most_strength) {
-  graph_.update_borders();
-  const SeamTolerance tolerance{params_.crease_deg / static_cast<double>(degrees_per_radian),
-                                params_.step_ratio, params_.fit_sigmas};
-  candidates_.clear();
-  for (const BasinBorder& border : graph_.borders()) {
-    if (border.strength() > most_strength) continue;
-    const double difference =
-        seam_difference(fits_[static_cast<std::size_t>(border.a)], fits_[static_cast<std::size_t>(border.b)],
-                        border.seam(), focal_px_, tolerance);
-    if (difference < 1) candidates_.push_back({static_cast<float>(difference), border.a, border.b});
-  }
-  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& l, const Candidate& r) {
-    return std::tie(l.difference, l.a, l.b) < std::tie(r.difference, r.a, r.b);
+/// Whether a border must be judged anew: it is longer, or a side has grown by more than `growth`.
+bool BasinMerging::has_changed(int i, double growth) {
+  const BasinBorder& border = graph_.border(i);
+  const Judgement& judged = judgements_[static_cast<std::size_t>(i)];
+  const double a = graph_.basin(graph_.find(border.a)).moments.count(),
+               b = graph_.basin(graph_.find(border.b)).moments.count();
+  return border.length != judged.length || a + b > growth * judged.pixels ||
+         std::min(a, b) > growth * judged.fewer_pixels;
+}
+
+void BasinMerging::judge(int i) {
+  const BasinBorder& border = graph_.border(i);
+  const int a = graph_.find(border.a), b = graph_.find(border.b);
+  const double pixels_a = graph_.basin(a).moments.count(), pixels_b = graph_.basin(b).moments.count();
+  Judgement& judged = judgements_[static_cast<std::size_t>(i)];
+  judged = {pixels_a + pixels_b, std::min(pixels_a, pixels_b), border.length, judged.serial + 1};
+  if (border.strength() > most_strength_) return;
+  const double difference =
+      seam_difference(fits_[static_cast<std::size_t>(a)], fits_[static_cast<std::size_t>(b)], border.seam(),
+                      focal_px_, tolerance_);
+  if (difference >= 1) return;
+  candidates_.push_back({static_cast<float>(difference), i, judged.serial});
+  std::push_heap(candidates_.begin(), candidates_.end(), is_later);
+}
+
+void BasinMerging::join_across(int i) {
+  const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
+  graph_.join(a, b);
+  const int region = graph_.find(a);
+  fit(region);
+  graph_.for_each_border_of(region, [this](int k) {
+    if (has_changed(k, patch_growth)) judge(k);
   });
-  ++round_;
-  for (const auto& [difference, a, b] : candidates_) {
-    int &round_a = joined_in_[static_cast<std::size_t>(a)],
-        &round_b = joined_in_[static_cast<std::size_t>(b)];
-    const bool changed = round_a == round_ || round_b == round_;
-    round_a = round_b = round_;  // a region whose best neighbour has changed waits for the next round
-    if (changed) continue;
-    graph_.join(a, b);
-    fit(a);
+}
+
+void BasinMerging::join_alike(float most_strength) {
+  most_strength_ = most_strength;
+  candidates_.clear();
+  for (std::size_t i = 0; i < judgements_.size(); ++i)
+    if (graph_.border(static_cast<int>(i)).length > 0) judge(static_cast<int>(i));
+  while (!candidates_.empty()) {
+    std::pop_heap(candidates_.begin(), candidates_.end(), is_later);
+    const Candidate best = candidates_.back();
+    candidates_.pop_back();
+    const bool is_gone = graph_.border(best.border).length == 0;
+    if (is_gone || best.serial != judgements_[static_cast<std::size_t>(best.border)].serial) continue;
+    if (has_changed(best.border, 1))
+      judge(best.border);
+    else
+      join_across(best.border);
   }
-  return !candidates_.empty();
 }
 
 void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& params, const DepthNoise& noise,
                          Image<std::int32_t>& region) {
   params_ = params;
+  tolerance_ = {params.crease_deg / static_cast<double>(degrees_per_radian), params.step_ratio,
+                params.fit_sigmas};
   noise_ = noise;
   focal_px_ = static_cast<double>(landscape.camera.fx);
-  round_ = 0;
   graph_.build(landscape);
   join_shallow_basins(landscape.floor);
   fits_.resize(static_cast<std::size_t>(graph_.basin_count()));
-  joined_in_.assign(fits_.size(), 0);
   for (int i = 0; i < graph_.basin_count(); ++i)
     if (graph_.find(i) == i) fit(i);
-  for (const float most_strength : {chord_of(params.flat_deg), unknown_strength})
-    while (merge_round(most_strength)) {
-    }
+  judgements_.assign(graph_.borders().size(), {});
+  join_alike(chord_of(params.flat_deg));
+  join_alike(unknown_strength);
   region.resize(landscape.basin.size());
   graph_.write_regions(landscape, region.view());
 }

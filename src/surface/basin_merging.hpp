@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "core/depth_noise.hpp"
@@ -24,9 +25,8 @@ struct MergeParams {
 
 /// Merges basins across borders that are no creases, so that noise, texture and the curvature of a cylinder
 /// do not split a surface. First, small basins that are no deeper than noise join the neighbour across their
-/// lowest pass. Then regions join by the difference of their patches, least first, in rounds in which a
-/// region joins once at most, so that every decision rests on what the regions are now; first across borders
-/// that turn by little, so that fits within faces are sure before those near creases are judged by them.
+/// lowest pass. Then regions join by the difference of their patches, least first; first across borders that
+/// turn by little, so that fits within faces are sure before those near creases are judged by them.
 class BasinMerging {
  public:
   /// `region` receives, for every pixel, a raster index naming its region, -1 = none.
@@ -34,21 +34,34 @@ class BasinMerging {
              Image<std::int32_t>& region);
 
  private:
-  struct Candidate {
-    float difference = 0;
-    int a = 0, b = 0;
+  /// What a border was like when its difference was computed.
+  struct Judgement {
+    double pixels = 0, fewer_pixels = 0;  ///< of both regions, and of the smaller one
+    int length = 0;                       ///< of the border
+    int serial = 0;                       ///< the newest judgement of a border counts
   };
+  struct Candidate {
+    float difference;
+    int border, serial;
+  };
+  static bool is_later(const Candidate& l, const Candidate& r) {
+    return std::tie(l.difference, l.border) > std::tie(r.difference, r.border);
+  }
   void join_shallow_basins(float floor);
-  void fit(int i);
-  bool merge_round(float most_strength);
+  void fit(int region);
+  bool has_changed(int border, double growth);
+  void judge(int border);
+  void join_across(int border);
+  void join_alike(float most_strength);
 
   BasinGraph graph_;
-  std::vector<PatchFit> fits_;  ///< by basin
-  std::vector<int> joined_in_;  ///< last round in which a basin's region changed
-  std::vector<Candidate> candidates_;
-  std::vector<int> order_;
-  int round_ = 0;
+  std::vector<PatchFit> fits_;         ///< by region
+  std::vector<Judgement> judgements_;  ///< by border
+  std::vector<Candidate> candidates_;  ///< a heap, least difference first
+  std::vector<int> order_;             ///< of borders
+  float most_strength_ = 0;            ///< borders stronger than this are not judged yet
   MergeParams params_;
+  SeamTolerance tolerance_;
   DepthNoise noise_;
   double focal_px_ = 1;
 };

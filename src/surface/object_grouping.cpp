@@ -23,12 +23,6 @@ double mean_depth_m(const PointSample& points) {
   return std::accumulate(points.z.begin(), points.z.end(), 0.0) / static_cast<double>(points.size());
 }
 
-bool lies_behind(const PointSample& points, const Plane& plane) {
-  std::size_t behind = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) behind += plane.signed_distance_m(points.at(i)) < 0;
-  return 2 * behind > points.size();
-}
-
 /// Walls and floor.
 bool is_background(const ObjectInput& input, const ObjectParams& params, const Surface& surface) {
   if (surface.id == input.support) return true;
@@ -36,7 +30,7 @@ bool is_background(const ObjectInput& input, const ObjectParams& params, const S
   if (!surface.touches_border || points.size() == 0) return false;
   const double depth_m = mean_depth_m(points), side_px = params.max_size_mm / 1000 / depth_m;
   if (surface.area_px > side_px * side_px * input.camera.fx * input.camera.fy) return true;
-  return input.support_plane && lies_behind(points, *input.support_plane);
+  return input.support_plane && lies_in_front(points, reversed(*input.support_plane));
 }
 
 /// Sum of the curvatures in the image's directions [1/m] of a patch fitted to the points, positive where it
@@ -73,17 +67,6 @@ bool is_convex(const SurfaceBorder& border, const ObjectParams& params) {
 
 }  // namespace
 
-int ObjectGrouping::find(int label) {
-  const auto at = [&](int i) -> int& { return parent_[static_cast<std::size_t>(i)]; };
-  while (at(label) != label) label = at(label) = at(at(label));
-  return label;
-}
-
-void ObjectGrouping::join(int a, int b) {
-  a = find(a), b = find(b);
-  parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-}
-
 void ObjectGrouping::describe(const ObjectInput& input, const ObjectParams& params,
                               const std::vector<Surface>& surfaces) {
   faces_.assign(surfaces.size(), {});
@@ -100,7 +83,7 @@ void ObjectGrouping::describe(const ObjectInput& input, const ObjectParams& para
 void ObjectGrouping::join_convex(const ObjectParams& params) {
   for (const SurfaceBorder& border : borders_.all()) {
     if (face(border.a).is_background || face(border.b).is_background) continue;
-    if (is_convex(border, params)) join(border.a, border.b);
+    if (is_convex(border, params)) objects_.join(border.a, border.b);
   }
 }
 
@@ -121,18 +104,17 @@ void ObjectGrouping::join_hollow() {
   }
   for (std::size_t i = 0; i < faces_.size(); ++i)
     if (faces_[i].outside > 0 && faces_[i].outside_px >= min_outside_share * faces_[i].border_px)
-      join(static_cast<int>(i) + 1, faces_[i].outside);
+      objects_.join(static_cast<int>(i) + 1, faces_[i].outside);
 }
 
 void ObjectGrouping::group(const ObjectInput& input, const ObjectParams& params,
                            std::vector<Surface>& surfaces) {
   borders_.collect(input.labels, input.edges, static_cast<int>(surfaces.size()));
-  parent_.resize(surfaces.size() + 1);
-  std::iota(parent_.begin(), parent_.end(), 0);
+  objects_.reset(static_cast<int>(surfaces.size()) + 1);
   describe(input, params, surfaces);
   join_convex(params);
   if (params.hollow) join_hollow();
-  for (Surface& surface : surfaces) surface.object = face(surface.id).is_background ? 0 : find(surface.id);
+  for (Surface& surface : surfaces) surface.object = face(surface.id).is_background ? 0 : objects_.find(surface.id);
 }
 
 }  // namespace facet

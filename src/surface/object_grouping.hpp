@@ -6,6 +6,7 @@
 
 #include "core/camera.hpp"
 #include "core/image_view.hpp"
+#include "surface/disjoint_sets.hpp"
 #include "surface/object_params.hpp"
 #include "surface/pose.hpp"
 #include "surface/surface.hpp"
@@ -43,13 +44,11 @@ class ObjectGrouping {
   void describe(const ObjectInput& input, const ObjectParams& params, const std::vector<Surface>& surfaces);
   void join_convex(const ObjectParams& params);
   void join_hollow();
-  int find(int label);
-  void join(int a, int b);
   Face& face(int label) { return faces_[static_cast<std::size_t>(label) - 1]; }
 
   SurfaceBorders borders_;
   std::vector<Face> faces_;  ///< by label
-  std::vector<int> parent_;  ///< union-find over labels
+  DisjointSets objects_;     ///< of labels
 };
 
 }  // namespace facet

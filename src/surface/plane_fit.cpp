@@ -114,6 +114,12 @@ PlaneFit refine(const PointSample& points, const Plane& plane, float threshold_m
 
 }  // namespace
 
+bool lies_in_front(const PointSample& points, const Plane& plane) {
+  std::size_t in_front = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) in_front += plane.signed_distance_m(points.at(i)) > 0;
+  return 2 * in_front > points.size();
+}
+
 PlaneFit fit_plane(const PointSample& points, const PoseParams& params, float threshold_m, std::uint64_t seed,
                    std::uint64_t stream) {
   PlaneFit fit;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/angle.hpp"
+
 namespace facet {
 namespace {
 
@@ -89,10 +91,9 @@ SurfacePose pose_on_plane(const Plane& plane, Vec3 centre_m) {
   SurfacePose pose;
   pose.centre_m = centre_m;
   pose.quaternion_wxyz = {q.w(), q.x(), q.y(), q.z()};
-  constexpr float degrees = 57.29577951f;
   const float pitch = std::asin(std::clamp(-rotation(2, 0), -1.0f, 1.0f));
-  pose.zyx_deg = {degrees * std::atan2(rotation(1, 0), rotation(0, 0)), degrees * pitch,
-                  degrees * std::atan2(rotation(2, 1), rotation(2, 2))};
+  pose.zyx_deg = {degrees_per_radian * std::atan2(rotation(1, 0), rotation(0, 0)), degrees_per_radian * pitch,
+                  degrees_per_radian * std::atan2(rotation(2, 1), rotation(2, 2))};
   return pose;
 }
 

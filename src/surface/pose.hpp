@@ -47,6 +47,9 @@ struct PlaneFit {
   std::string_view reason;  ///< set where `plane` is empty
 };
 
+/// Whether more than half of the points lie on the side of the plane that its normal points to.
+bool lies_in_front(const PointSample& points, const Plane& plane);
+
 /// Plane through most of the points: RANSAC over triples, score = number of points within `threshold_m`, ties
 /// to the earliest hypothesis; it stops once a better one is unlikely (p < 1 %), and is refined by least
 /// squares on its inliers. Deterministic in (seed, stream). Paper section 4.2.4.

@@ -4,24 +4,16 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/angle.hpp"
+
 namespace facet {
 namespace {
 
 /// A smaller share of all labelled pixels supports nothing worth the fit of a plane.
 constexpr double min_share = 0.05;
-/// Pixels per independent reading: sensors correlate the noise of neighbouring pixels.
-constexpr double px_per_reading = 20;
-constexpr float degrees_per_radian = 57.29577951f;
 
 bool leans_too_far(const Plane& plane, float max_tilt_deg) {
   return -plane.normal.y < std::cos(max_tilt_deg / degrees_per_radian);
-}
-
-/// Whether most of the points lie in front of the plane.
-bool lies_in_front(const PointSample& points, const Plane& plane) {
-  std::size_t in_front = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) in_front += plane.signed_distance_m(points.at(i)) > 0;
-  return 2 * in_front > points.size();
 }
 
 /// Distance from `plane` of the plane through the points: root mean square over the points [m].
@@ -102,7 +94,7 @@ void Support::find_pieces(const SupportInput& input, const SupportParams& params
     bool joins = false;
     if (!is_support && points.size() > 2) {
       const Offset offset = offset_of(points, *plane_);
-      const double readings = std::max(input.pixels.measured_px[i] / px_per_reading, 1.0);
+      const double readings = std::max(input.pixels.measured_px[i] / pixels_per_reading, 1.0);
       // A fit of three parameters knows its own points to sqrt(3 / readings) of one reading's noise.
       const double noise_m =
           offset.facing * input.noise.sigma_m(static_cast<float>(offset.depth_m)) * std::sqrt(3 / readings);

@@ -32,6 +32,10 @@ struct Plane {
 
   float signed_distance_m(Vec3 p) const { return dot(normal, p) + d_m; }
 };
+/// The same plane seen from its other side: distances change their sign.
+inline Plane reversed(const Plane& plane) {
+  return {-plane.normal, -plane.d_m};
+}
 
 /// 6-DOF pose of a surface in the camera frame (conventions: see surface/pose.hpp).
 struct SurfacePose {

@@ -14,13 +14,6 @@ TEST(Statistics, MeanAndDeviationOfAKnownSample) {
   EXPECT_EQ(mean_of({}), 0);
 }
 
-TEST(Statistics, QuantilesLieBetweenOrderStatistics) {
-  const std::vector<double> sorted{1, 2, 3, 4};
-  EXPECT_DOUBLE_EQ(quantile_of_sorted(sorted, 0), 1);
-  EXPECT_DOUBLE_EQ(quantile_of_sorted(sorted, 0.5), 2.5);
-  EXPECT_DOUBLE_EQ(quantile_of_sorted(sorted, 1), 4);
-}
-
 TEST(Statistics, OneWildValueIsAnOutlierAndEqualValuesHaveNone) {
   EXPECT_EQ(count_outliers(std::vector<double>{10, 11, 10.5, 9.5, 10.2, 50}), 1);
   EXPECT_EQ(count_outliers(std::vector<double>{5, 5, 5, 5, 9}), 0);

@@ -58,5 +58,12 @@ TEST(Intervals, PercentilesLieBetweenOrderStatistics) {
   EXPECT_FALSE(percentile_interval({}));
 }
 
+TEST(Intervals, QuantilesLieBetweenOrderStatistics) {
+  const std::vector<double> sorted{1, 2, 3, 4};
+  EXPECT_DOUBLE_EQ(sorted_quantile(sorted, 0), 1);
+  EXPECT_DOUBLE_EQ(sorted_quantile(sorted, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(sorted_quantile(sorted, 1), 4);
+}
+
 }  // namespace
 }  // namespace facet

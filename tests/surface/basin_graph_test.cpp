@@ -1,6 +1,7 @@
 #include "surface/basin_graph.hpp"
 
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace facet {
 namespace {
@@ -21,6 +22,12 @@ struct Columns {
             Camera{100, 100, 0, 0}};
   }
 };
+
+std::vector<int> borders_of(BasinGraph& graph, int region) {
+  std::vector<int> borders;
+  graph.for_each_border_of(region, [&](int i) { borders.push_back(i); });
+  return borders;
+}
 
 TEST(BasinGraph, KnowsPixelsStrengthsAndNeighboursOfEveryBasin) {
   Columns columns;
@@ -60,10 +67,11 @@ TEST(BasinGraph, JoinedBasinsShareTheirBorders) {
   graph.build(columns.landscape());
   ASSERT_EQ(graph.basin_count(), 4);
   ASSERT_EQ(graph.borders().size(), 4u);
-  graph.join(0, 3);
-  graph.update_borders();
-  ASSERT_EQ(graph.borders().size(), 2u);
-  const BasinBorder& border = graph.borders()[0];
+  graph.join(3, 0);
+  EXPECT_EQ(graph.find(3), 0);
+  ASSERT_EQ(borders_of(graph, 0).size(), 1u);
+  ASSERT_EQ(borders_of(graph, 1).size(), 2u);
+  const BasinBorder& border = graph.border(borders_of(graph, 0)[0]);
   EXPECT_EQ(border.length, 6);
   EXPECT_EQ(border.known, 6);
   EXPECT_FLOAT_EQ(border.sum, 1.5f);
@@ -77,6 +85,18 @@ TEST(BasinGraph, JoinedBasinsShareTheirBorders) {
   EXPECT_EQ(region(5, 5), 4);
 }
 
+TEST(BasinGraph, ARegionThatSwallowedAllOthersHasNoBorders) {
+  Columns columns;
+  BasinGraph graph;
+  graph.build(columns.landscape());
+  graph.join(1, 2);
+  EXPECT_EQ(borders_of(graph, 0), borders_of(graph, 1));
+  graph.join(0, 1);
+  EXPECT_EQ(graph.find(2), 0);
+  EXPECT_TRUE(borders_of(graph, 0).empty());
+  EXPECT_EQ(graph.basin(0).moments.count(), size.area());
+}
+
 TEST(BasinGraph, ThePointsOfALongBorderAreSpreadOverIt) {
   constexpr Size tall{4, 48};
   Image<std::int32_t> basin(tall), inverse_depth(tall, 1000);
@@ -88,9 +108,8 @@ TEST(BasinGraph, ThePointsOfALongBorderAreSpreadOverIt) {
   graph.build({basin.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3, 0,
                Camera{100, 100, 0, 0}});
   graph.join(0, 2);
-  graph.update_borders();
-  ASSERT_EQ(graph.borders().size(), 1u);
-  const auto seam = graph.borders()[0].seam();
+  ASSERT_EQ(borders_of(graph, 0).size(), 1u);
+  const auto seam = graph.border(borders_of(graph, 0)[0]).seam();
   ASSERT_EQ(seam.size(), BasinBorder::most_points);
   int upper = 0;
   for (const SeamPoint& point : seam) upper += point[1] < 40;
