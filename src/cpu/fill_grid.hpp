@@ -10,8 +10,8 @@ namespace facet {
 
 /// Working copy of a depth image for filling its holes: the sources that offer a value, and the pixels that
 /// wait for one. Padded by two pixels of nothing, so that windows around sources at the image's edge need no
-/// border test; pixels are named by their index in the padded image. Offers are computed once per
-/// pass and kept for the pixels that share them. Keeps its memory between frames.
+/// border test; pixels are named by their index in the padded image. In a pass each source's offer is
+/// computed once, for all pixels around it. Keeps its memory between frames.
 class FillGrid {
  public:
   void resize(Size size);  ///< no sources, nothing open
@@ -21,32 +21,35 @@ class FillGrid {
   int x(int pixel) const { return pixel % pitch_ - pad; }
   int y(int pixel) const { return pixel / pitch_ - pad; }
   float source_at(int pixel) const { return source_[static_cast<std::size_t>(pixel)]; }
-  bool has_source_beside(int pixel) const;
 
-  /// What the sources around a pixel offer, in the state at the start of the pass.
-  void start_pass() { ++pass_; }
-  float best_mean(int pixel);
-
+  /// The open pixels that have a source beside them, in raster order.
+  void list_open_beside_sources(std::vector<int>& list);
+  /// The best offer [m] of the sources around each of the pixels, one at least around each.
+  void propose(const std::vector<int>& pixels, std::vector<float>& means_m);
   /// Makes a pixel a source and closes it.
   void close(int pixel, float depth_m) {
     source_[static_cast<std::size_t>(pixel)] = depth_m;
     open_[static_cast<std::size_t>(pixel)] = 0;
   }
-  /// Appends the open neighbours of a pixel to a list, each once.
-  void list_open_beside(int pixel, std::vector<int>& list);
+  /// The open neighbours of the pixels, each listed once.
+  void list_open_beside(const std::vector<int>& pixels, std::vector<int>& list);
 
  private:
   static constexpr int pad = 2;
-  const FillOffer& offer(int pixel);
+  void list_sources_beside(const std::vector<int>& pixels);
+  void take_offer(int source);
+  float best_mean(int pixel) const;
 
   Size size_;
   int pitch_ = 2 * pad;
   int offsets_[8] = {};
-  int pass_ = 0;
   std::vector<float> source_;
-  std::vector<FillOffer> offer_;
-  std::vector<int> offer_pass_;     ///< pass in which an offer was computed last
-  std::vector<std::uint8_t> open_;  ///< 1 = open, 2 = open and listed
+  std::vector<float> mean_m_, distance_m_;  ///< offers of the sources listed last
+  std::vector<int> sources_;
+  std::uint16_t pass_ = 0;
+  std::vector<std::uint16_t> listed_in_;  ///< pass in which a source was listed last
+  std::vector<std::uint8_t> open_;        ///< 1 = open, 2 = open and listed
+  std::vector<std::uint8_t> marked_;      ///< a row
 };
 
 }  // namespace facet

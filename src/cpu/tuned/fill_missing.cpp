@@ -4,6 +4,7 @@
 
 #include "cpu/clones.hpp"
 #include "cpu/sparse_row.hpp"
+#include "cpu/tuned/fill_rims.hpp"
 
 namespace facet {
 namespace {
@@ -34,28 +35,13 @@ void mark_narrow_holes(ImageView<const std::uint8_t> missing, int max_hole_px, I
     });
 }
 
-void mark_rims(const FillParams& params, ImageView<const float> depth_m,
-               ImageView<const std::uint8_t> missing, ImageView<std::uint8_t> rim) {
-  const FillRimOp op{depth_m, params.rim_jump, params.rim_search_px, rim};
-  for (int y = 0; y < rim.height; ++y)
-    for_each_set_in_row(missing.row(y), rim.width, [&](int x) {
-      for (int i = 0; i < 8; ++i) {
-        const int bx = x + neighbour8(i).dx, by = y + neighbour8(i).dy;
-        if (rim.size().contains(bx, by) && depth_m(bx, by) > 0 && !rim(bx, by)) op(bx, by, GuardedAccess{});
-      }
-    });
-}
-
 /// Fills the grid from the borders of its holes inwards; appends the pixels filled to `closed`.
 void fill_from_borders(FillGrid& grid, int max_passes, std::vector<int>& front, std::vector<int>& next,
                        std::vector<float>& proposal_m, std::vector<int>& closed) {
   for (int pass = 0; pass < max_passes && !front.empty(); ++pass) {
-    grid.start_pass();
-    proposal_m.clear();
-    for (const int pixel : front) proposal_m.push_back(grid.best_mean(pixel));
+    grid.propose(front, proposal_m);
     for (std::size_t i = 0; i < front.size(); ++i) grid.close(front[i], proposal_m[i]);
-    next.clear();
-    for (const int pixel : front) grid.list_open_beside(pixel, next);
+    grid.list_open_beside(front, next);
     closed.insert(closed.end(), front.begin(), front.end());
     std::swap(front, next);
   }
@@ -73,17 +59,14 @@ void fill_missing(CpuExecutor& executor, const FillParams& params, ImageView<flo
                         [&](int y) { mark_missing(depth_m.row(y), depth_m.width, missing.row(y)); });
   if (params.max_hole_px > 0) mark_narrow_holes(missing, params.max_hole_px, grid.open());
   executor.fill(scratch.rim, std::uint8_t{0});
-  if (params.prefer == FillPrefer::far) mark_rims(params, depth_m, missing, scratch.rim);
+  if (params.prefer == FillPrefer::far) mark_rims(memory, params, depth_m, missing, scratch.rim);
   executor.for_each_row(depth_m.height, [&](int y) {
     copy_sources(depth_m.row(y), scratch.rim.row(y), depth_m.width, grid.source().row(y));
   });
 
   std::vector<int>&front = memory.list_a, &closed = memory.list_c;
-  front.clear(), closed.clear();
-  for (int y = 0; y < depth_m.height; ++y)
-    for_each_set_in_row(grid.open().row(y), depth_m.width, [&](int x) {
-      if (grid.has_source_beside(grid.index(x, y))) front.push_back(grid.index(x, y));
-    });
+  closed.clear();
+  grid.list_open_beside_sources(front);
   fill_from_borders(grid, params.max_passes, front, memory.list_b, memory.values, closed);
 
   executor.fill(filled, std::uint8_t{0});
