@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "core/atomic.hpp"
@@ -45,8 +46,8 @@ struct ChooseOwnerOp {
       const int nx = x + neighbour8(i).dx, ny = y + neighbour8(i).dy;
       const int owner = access.or_zero(label, nx, ny);
       const float zn = access.or_zero(depth_m, nx, ny);
-      const float step = zn > z ? zn - z : z - zn;
-      const std::uint64_t r = owner == 0 ? ~std::uint64_t{0} : rank(step, zn);
+      const std::uint64_t nobody = owner == 0;  // ranks last
+      const std::uint64_t r = rank(fabsf(zn - z), zn) | (std::uint64_t{0} - nobody);
       best = r < best_rank ? owner : best;
       best_rank = r < best_rank ? r : best_rank;
     }
