@@ -17,7 +17,7 @@ struct BarrierOp {
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
-    const bool open = depth_m(x, y) > 0 && !depth_edge(x, y);
+    const bool open = (depth_m(x, y) > 0) & !depth_edge(x, y);
     distance_px(x, y) = open ? cap : std::uint8_t{0};
   }
 };

@@ -20,7 +20,7 @@ struct UnownedOp {
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
-    open(x, y) = depth_m(x, y) > 0 && label(x, y) == 0;
+    open(x, y) = (depth_m(x, y) > 0) & (label(x, y) == 0);
   }
 };
 

@@ -30,6 +30,7 @@ int count_set(const std::uint8_t* begin, const std::uint8_t* end) {
 void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
                               ImageView<const std::uint8_t> filled) {
   components_.clear();
+  runs_.clear();
   component_at_.assign(static_cast<std::size_t>(root.size().area()), -1);
   for_each_run(root, [&](std::int32_t first, int y, int begin, int end) {
     if (first < 0) return;
@@ -38,6 +39,7 @@ void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<cons
       index = static_cast<std::int32_t>(components_.size());
       components_.push_back({first, 0, 0, 0});
     }
+    runs_.push_back({static_cast<std::size_t>(index), y, begin, end});
     Component& component = components_[static_cast<std::size_t>(index)];
     component.area_px += end - begin;
     component.filled_px += count_set(filled.row(y) + begin, filled.row(y) + end);
@@ -72,12 +74,9 @@ int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const 
     else
       rejected.push_back({{c.first % root.width, c.first / root.width}, c.area_px, std::string(reason)});
   }
-  for_each_run(root, [&](std::int32_t first, int y, int begin, int end) {
-    const std::uint16_t label =
-        first < 0 ? std::uint16_t{0}
-                  : label_[static_cast<std::size_t>(component_at_[static_cast<std::size_t>(first)])];
-    std::fill(labels.row(y) + begin, labels.row(y) + end, label);
-  });
+  for (int y = 0; y < labels.height; ++y) std::fill_n(labels.row(y), labels.width, std::uint16_t{0});
+  for (const Run& run : runs_)
+    std::fill(labels.row(run.y) + run.begin, labels.row(run.y) + run.end, label_[run.component]);
   return count;
 }
 
@@ -93,7 +92,7 @@ void RegionPixels::collect(ImageView<const std::uint16_t> labels, int label_coun
     if (label == 0) return;
     const std::size_t i = label - std::size_t{1};
     const int made_up = count_set(filled.row(y) + begin, filled.row(y) + end);
-    runs_.push_back({i, y, begin, end, made_up == 0});
+    runs_.push_back({i, y, begin, end});
     boxes[i].add(begin, y);
     boxes[i].add(end - 1, y);
     area_px[i] += end - begin;
@@ -114,24 +113,32 @@ void RegionPixels::sample_points(ImageView<const float> depth_m, ImageView<const
   taken_.assign(area_px.size(), 0);
   wait_.assign(area_px.size(), 0);  // measured pixels until the next sample
   for (const Run& run : runs_) {
-    const auto take = [&, this](int x) {
-      points[run.region].set(
-          taken_[run.region]++,
-          camera.back_project(static_cast<float>(x), static_cast<float>(run.y), depth_m(x, run.y)));
-    };
-    int& wait = wait_[run.region];
-    if (run.is_measured) {
-      int x = run.begin + wait;
-      for (; x < run.end; x += stride_[run.region]) take(x);
-      wait = x - run.end;
-      continue;
-    }
-    for (int x = run.begin; x < run.end; ++x) {
-      if (filled(x, run.y)) continue;
-      if (wait == 0) take(x), wait = stride_[run.region];
-      --wait;
+    const std::uint8_t* made_up = filled.row(run.y);
+    for (int x = run.begin; x < run.end;) {
+      const int end = end_of_run<std::uint8_t>(made_up, x, run.end, 0);
+      sample_run(run.region, run.y, x, end, depth_m.row(run.y), camera);
+      x = end_of_run<std::uint8_t>(made_up, end, run.end, 1);
     }
   }
+}
+
+void RegionPixels::sample_run(std::size_t region, int y, int begin, int end, const float* depth_m,
+                              const Camera& shared_camera) {
+  const Camera camera = shared_camera;
+  const int stride = stride_[region];
+  const int first = begin + wait_[region];
+  const int count = first < end ? (end - first + stride - 1) / stride : 0;
+  PointSample& sample = points[region];
+  const std::size_t taken = taken_[region];
+  float *__restrict px = sample.x.data() + taken, *__restrict py = sample.y.data() + taken,
+                   *__restrict pz = sample.z.data() + taken;
+  for (int i = 0; i < count; ++i) {
+    const int x = first + i * stride;
+    const Vec3 p = camera.back_project(static_cast<float>(x), static_cast<float>(y), depth_m[x]);
+    px[i] = p.x, py[i] = p.y, pz[i] = p.z;
+  }
+  taken_[region] = taken + static_cast<std::size_t>(count);
+  wait_[region] = first + count * stride - end;
 }
 
 }  // namespace facet

@@ -29,12 +29,17 @@ class RegionNumbering {
     int filled_px = 0;
     double depth_sum_m = 0;  ///< each run of a row by the trapezoid over its ends
   };
+  struct Run {
+    std::size_t component = 0;
+    int y = 0, begin = 0, end = 0;
+  };
   void collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
                ImageView<const std::uint8_t> filled);
   std::string_view reason_to_drop(const Component& component, const Camera& camera,
                                   const ValidationParams& validation) const;
 
   std::vector<Component> components_;
+  std::vector<Run> runs_;
   std::vector<std::int32_t> component_at_;  ///< by raster index of the first pixel
   std::vector<std::uint16_t> label_;
 };
@@ -56,10 +61,11 @@ class RegionPixels {
   struct Run {
     std::size_t region = 0;
     int y = 0, begin = 0, end = 0;
-    bool is_measured = false;  ///< no pixel was filled
   };
   void sample_points(ImageView<const float> depth_m, ImageView<const std::uint8_t> filled,
                      const Camera& camera, int max_points);
+  /// Samples measured pixels of a row.
+  void sample_run(std::size_t region, int y, int begin, int end, const float* depth_m, const Camera& camera);
 
   std::vector<Run> runs_;
   std::vector<int> stride_, wait_;  ///< of the samples, by region
