@@ -99,8 +99,8 @@ struct WienerVarianceSum {
 
   FACET_HD std::int32_t operator()(int x, int y) const {
     const float v = variance_m2(x, y);
-    const float known = v > 0 ? v : 0.0f;
-    return static_cast<std::int32_t>((known < 1 ? known : 1.0f) * units_per_m2 + 0.5f);
+    const auto units = static_cast<std::int32_t>((v < 1 ? v : 1.0f) * units_per_m2 + 0.5f);
+    return units > 0 ? units : 0;  // -1 m^2 is no variance
   }
 };
 struct WienerVarianceCount {

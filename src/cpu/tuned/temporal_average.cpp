@@ -1,87 +1,92 @@
 #include "cpu/tuned/temporal_average.hpp"
 
+#include <array>
+#include <cstring>
+
 #include "cpu/clones.hpp"
 
 namespace facet {
 namespace {
 
+/// Eight pixels side by side; comparisons give -1 where they hold.
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = int __attribute__((vector_size(32)));
+constexpr int lanes = 8;
+
 /// Readings that are missing sort behind all others.
 constexpr float missing = 1e30f;
 
-/// The readings of a piece of a row that stays in the first-level cache.
-struct RowReadings {
-  static constexpr int most = 256;
-  int count = 0, width = 0;
-  float z[max_temporal_frames][most];
-};
+/// The readings of a row, a pointer for each frame.
+using Rows = std::array<const float*, max_temporal_frames>;
 
-FACET_CPU_CLONES void load(const float* from, int width, float* z) {
-  for (int x = 0; x < width; ++x) z[x] = from[x] > 0 ? from[x] : missing;
-}
-
-FACET_CPU_CLONES void sort_pair(int width, float* __restrict a, float* __restrict b) {
-  for (int x = 0; x < width; ++x) {
-    const float low = a[x] < b[x] ? a[x] : b[x];
-    b[x] = a[x] < b[x] ? b[x] : a[x];
-    a[x] = low;
+/// TemporalAverageOp for the eight pixels from x on. Unrolled for the number of frames, so that the readings
+/// stay in registers.
+template <int count, TemporalMode mode>
+[[gnu::always_inline]] inline void average_eight(const Rows& rows, int x, const DepthNoise& noise, float* out) {
+  Float8 z[count];
+  Int8 valid{};
+#pragma GCC unroll 16
+  for (int i = 0; i < count; ++i) {
+    Float8 reading;
+    std::memcpy(&reading, rows[static_cast<std::size_t>(i)] + x, sizeof reading);
+    z[i] = reading > 0 ? reading : Float8{} + missing;
+    valid -= reading > 0;
   }
+  Float8 centre{}, tolerance = Float8{} + missing;
+  if constexpr (mode == TemporalMode::robust) {
+#pragma GCC unroll 16
+    for (int i = 1; i < count; ++i)
+#pragma GCC unroll 16
+      for (int k = i; k > 0; --k) {
+        const Float8 a = z[k - 1], b = z[k];
+        z[k - 1] = a < b ? a : b;
+        z[k] = a < b ? b : a;
+      }
+#pragma GCC unroll 16
+    for (int i = 0; i < count; ++i) centre = (valid > 0) & (valid >> 1 == i) ? z[i] : centre;
+    const Float8 beyond = centre - noise.z0_m;  // as DepthNoise::sigma_m
+    tolerance = 3 * (noise.a_m + noise.b_per_m * beyond * beyond);
+  }
+  Float8 sum{};
+  Int8 kept{};
+#pragma GCC unroll 16
+  for (int i = 0; i < count; ++i) {
+    const Float8 d = z[i] - centre;
+    const Int8 keep = (z[i] < missing) & (d <= tolerance) & (d >= -tolerance);
+    sum += keep ? z[i] : Float8{};
+    kept -= keep;
+  }
+  const Float8 mean = kept > 0 ? sum / __builtin_convertvector(kept, Float8) : Float8{};
+  std::memcpy(out + x, &mean, sizeof mean);
 }
 
-/// Insertion sort of every pixel's readings at once.
-void sort(RowReadings& readings) {
-  for (int i = 1; i < readings.count; ++i)
-    for (int k = i; k > 0; --k) sort_pair(readings.width, readings.z[k - 1], readings.z[k]);
+template <int count, TemporalMode mode>
+FACET_CPU_CLONES void average_row(const Rows& rows, int width, const DepthNoise& noise, float* out) {
+  int x = 0;
+  for (; x + lanes <= width; x += lanes) average_eight<count, mode>(rows, x, noise, out);
+  if (x < width) average_eight<count, mode>(rows, width - lanes, noise, out);  // some a second time
 }
 
-/// Middle of the sorted readings that are there, 0 where none is, and how far from it a reading may lie.
-FACET_CPU_CLONES void find_median(const RowReadings& readings, const DepthNoise& noise,
-                                  float* __restrict median, float* __restrict tolerance) {
-  int valid[RowReadings::most];
-  for (int x = 0; x < readings.width; ++x) valid[x] = 0, median[x] = 0;
-  for (int i = 0; i < readings.count; ++i)
-    for (int x = 0; x < readings.width; ++x) valid[x] += readings.z[i][x] < missing ? 1 : 0;
-  for (int i = 0; i < readings.count; ++i)
-    for (int x = 0; x < readings.width; ++x)
-      median[x] = valid[x] > 0 && valid[x] / 2 == i ? readings.z[i][x] : median[x];
-  for (int x = 0; x < readings.width; ++x) tolerance[x] = 3 * noise.sigma_m(median[x]);
-}
-
-/// Mean of the readings that are there and within the tolerance of the centre, in their present order.
-FACET_CPU_CLONES void mean_within(const RowReadings& readings, const float* __restrict centre,
-                                  const float* __restrict tolerance, float* __restrict out) {
-  float kept[RowReadings::most], sum[RowReadings::most];
-  for (int x = 0; x < readings.width; ++x) kept[x] = sum[x] = 0;
-  for (int i = 0; i < readings.count; ++i)
-    for (int x = 0; x < readings.width; ++x) {
-      const float z = readings.z[i][x], d = z - centre[x];
-      const bool keep = (z < missing) & (d <= tolerance[x]) & (d >= -tolerance[x]);
-      sum[x] += keep ? z : 0.0f;
-      kept[x] += keep ? 1.0f : 0.0f;
-    }
-  for (int x = 0; x < readings.width; ++x) out[x] = kept[x] > 0 ? sum[x] / kept[x] : 0.0f;
+template <int count = 1>
+void average_row(const Rows& rows, int frames, int width, TemporalMode mode, const DepthNoise& noise,
+                 float* out) {
+  if (frames == count)
+    return mode == TemporalMode::robust ? average_row<count, TemporalMode::robust>(rows, width, noise, out)
+                                        : average_row<count, TemporalMode::mean>(rows, width, noise, out);
+  if constexpr (count < max_temporal_frames) average_row<count + 1>(rows, frames, width, mode, noise, out);
 }
 
 }  // namespace
 
 void temporal_average(CpuExecutor& executor, const TemporalParams& params, const DepthNoise& noise,
                       const TemporalHistory<CpuExecutor>& history, ImageView<float> out) {
+  TemporalAverageOp op{{}, history.count(), params.mode, noise, out};
+  for (int i = 0; i < history.count(); ++i) op.frames[i] = history.frame(i);
+  if (out.width < lanes) return executor.for_each_pixel(out.size(), op);
   executor.for_each_row(out.height, [&](int y) {
-    RowReadings readings;
-    float centre[RowReadings::most], tolerance[RowReadings::most];
-    readings.count = history.count();
-    for (int begin = 0; begin < out.width; begin += RowReadings::most) {
-      readings.width = std::min(RowReadings::most, out.width - begin);
-      for (int i = 0; i < readings.count; ++i)
-        load(history.frame(i).row(y) + begin, readings.width, readings.z[i]);
-      if (params.mode == TemporalMode::robust) {
-        sort(readings);
-        find_median(readings, noise, centre, tolerance);
-      } else {
-        std::fill_n(centre, readings.width, 0.0f);
-        std::fill_n(tolerance, readings.width, missing);
-      }
-      mean_within(readings, centre, tolerance, out.row(y) + begin);
-    }
+    Rows rows{};
+    for (int i = 0; i < op.count; ++i) rows[static_cast<std::size_t>(i)] = op.frames[i].row(y);
+    average_row(rows, op.count, out.width, params.mode, noise, out.row(y));
   });
 }
 
