@@ -7,6 +7,10 @@
 
 #include "cpu/clones.hpp"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace facet {
 namespace {
 
@@ -14,11 +18,17 @@ static_assert(std::endian::native == std::endian::little, "bytes and bits run th
 
 constexpr std::uint64_t ones = 0x0101010101010101u;
 
-/// Eight bytes of 0 or 1 as eight bits, and back.
+/// Sixteen bytes of 0 or 1 as sixteen bits; eight bits as eight bytes of 0 or 1.
 std::uint64_t bits_of(const std::uint8_t* bytes) {
-  std::uint64_t word;
-  std::memcpy(&word, bytes, sizeof word);
-  return word * 0x0102040810204080u >> 56;
+#if defined(__SSE2__)
+  const __m128i ones_up = _mm_slli_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes)), 7);
+  return static_cast<unsigned>(_mm_movemask_epi8(ones_up));
+#else
+  std::uint64_t low, high;
+  std::memcpy(&low, bytes, sizeof low);
+  std::memcpy(&high, bytes + 8, sizeof high);
+  return low * 0x0102040810204080u >> 56 | high * 0x0102040810204080u >> 56 << 8;
+#endif
 }
 void to_bytes(std::uint64_t bits, std::uint8_t* bytes) {
   const std::uint64_t spread = (bits & 0xFF) * ones & 0x8040201008040201u;
@@ -66,7 +76,7 @@ void BitMask::assign(ImageView<const std::uint8_t> mask) {
 
 void BitMask::pack(const std::uint8_t* from, std::uint64_t* to) const {
   int x = 0;
-  for (; x + 8 <= size_.width; x += 8) to[x / 64] |= bits_of(from + x) << x % 64;
+  for (; x + 16 <= size_.width; x += 16) to[x / 64] |= bits_of(from + x) << x % 64;
   for (; x < size_.width; ++x) to[x / 64] |= std::uint64_t{from[x]} << x % 64;
 }
 

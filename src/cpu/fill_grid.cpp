@@ -10,35 +10,33 @@ namespace facet {
 namespace {
 
 using Float4 = float __attribute__((vector_size(16)));
-using Int4 = int __attribute__((vector_size(16)));
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = int __attribute__((vector_size(32)));
 
-Float4 load(const float* at) {
-  Float4 four;
-  std::memcpy(&four, at, sizeof four);
-  return four;
+/// Four values at each of two places, side by side.
+[[gnu::always_inline]] inline void load_two(const float* first, const float* second, Float8& values) {
+  Float4 low, high;
+  std::memcpy(&low, first, sizeof low);
+  std::memcpy(&high, second, sizeof high);
+  values = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// Four offers side by side, compared as FillOffer does.
-struct FourOffers {
-  Float4 mean_m{}, distance_m = Float4{} + FillOffer{}.distance_m;
+/// Offers for two pixels, four lanes each, compared as FillOffer does.
+struct OffersForTwo {
+  Float8 mean_m = Float8{}, distance_m = Float8{} + FillOffer{}.distance_m;
 
-  void take_better(const FourOffers& other) {
-    const auto better =
-        (other.distance_m < distance_m) | ((other.distance_m == distance_m) & (other.mean_m > mean_m));
-    mean_m = better ? other.mean_m : mean_m;
-    distance_m = better ? other.distance_m : distance_m;
+  [[gnu::always_inline]] void take_better(const Float8& other_mean_m, const Float8& other_distance_m) {
+    const Int8 better =
+        (other_distance_m < distance_m) | ((other_distance_m == distance_m) & (other_mean_m > mean_m));
+    mean_m = better ? other_mean_m : mean_m;
+    distance_m = better ? other_distance_m : distance_m;
   }
-  /// The best of lanes 0 ... 2, in lane 0.
-  FourOffers best_of_three() const {
-    FourOffers best = *this;
-    best.take_better(best.rotated(Int4{1, 2, 0, 3}));
-    best.take_better(best.rotated(Int4{2, 0, 1, 3}));
-    return best;
-  }
-
- private:
-  FourOffers rotated(Int4 lanes) const {
-    return {__builtin_shuffle(mean_m, lanes), __builtin_shuffle(distance_m, lanes)};
+  /// Takes the best of each pixel's first three lanes into its first.
+  [[gnu::always_inline]] void take_best_lane() {
+    const OffersForTwo lanes = *this;
+    const Int8 second{1, 2, 0, 3, 5, 6, 4, 7}, third{2, 0, 1, 3, 6, 4, 5, 7};
+    take_better(__builtin_shuffle(lanes.mean_m, second), __builtin_shuffle(lanes.distance_m, second));
+    take_better(__builtin_shuffle(lanes.mean_m, third), __builtin_shuffle(lanes.distance_m, third));
   }
 };
 
@@ -63,7 +61,8 @@ void FillGrid::resize(Size size) {
   if (size != size_) {
     size_ = size;
     pitch_ = pitch;
-    for (int i = 0; i < 8; ++i) offsets_[i] = neighbour8(i).dy * pitch + neighbour8(i).dx;
+    for (int i = 0; i < 8; ++i)
+      offsets_[static_cast<std::size_t>(i)] = neighbour8(i).dy * pitch + neighbour8(i).dx;
     source_.assign(count, 0);
     mean_m_.resize(count);
     distance_m_.resize(count);
@@ -85,74 +84,94 @@ void FillGrid::list_open_beside_sources(std::vector<int>& list) {
 
 /// Without branches, which would be guessed wrong: whatever is looked at is written, and counted or not.
 void FillGrid::list_sources_beside(const std::vector<int>& pixels) {
-  sources_.resize(8 * pixels.size());
-  std::size_t count = 0;
+  sources_.resize(8 * pixels.size() + 1);
+  const std::array<int, 8> offsets = offsets_;
+  const float* source = source_.data();
+  std::uint16_t* listed_in = listed_in_.data();
+  int* end = sources_.data();
   for (const int pixel : pixels)
-    for (const int offset : offsets_) {
-      const auto at = static_cast<std::size_t>(pixel + offset);
-      sources_[count] = pixel + offset;
-      count += (source_[at] > 0) & (listed_in_[at] != pass_);
-      listed_in_[at] = pass_;
+    for (const int offset : offsets) {
+      const std::ptrdiff_t at = pixel + offset;
+      *end = pixel + offset;
+      end += (source[at] > 0) & (listed_in[at] != pass_);
+      listed_in[at] = pass_;
     }
-  sources_.resize(count);
+  sources_.resize(static_cast<std::size_t>(end - sources_.data()));
 }
 
 void FillGrid::list_open_beside(const std::vector<int>& pixels, std::vector<int>& list) {
-  list.resize(8 * pixels.size());
-  std::size_t count = 0;
+  list.resize(8 * pixels.size() + 1);
+  const std::array<int, 8> offsets = offsets_;
+  std::uint8_t* open = open_.data();
+  int* end = list.data();
   for (const int pixel : pixels)
-    for (const int offset : offsets_) {
-      std::uint8_t& state = open_[static_cast<std::size_t>(pixel + offset)];
-      list[count] = pixel + offset;
-      count += state == 1;
-      state = state == 1 ? 2 : state;
+    for (const int offset : offsets) {
+      const std::uint8_t state = open[pixel + offset];
+      *end = pixel + offset;
+      end += state == 1;
+      open[pixel + offset] = state == 1 ? std::uint8_t{2} : state;
     }
-  list.resize(count);
+  list.resize(static_cast<std::size_t>(end - list.data()));
 }
 
-/// The nine windows that contain the source, a row of three at a time: lane k of a row of windows is the one
+/// The nine windows that contain a source, a row of three at a time: lane k of a row of windows is the one
 /// around the pixel k - 1 to the right, lane 3 is not used. Columns are summed downwards, then across, as in
 /// FillCandidate.
-inline void FillGrid::take_offer(int source) {
-  const float* at = source_.data() + source;
-  FourOffers best;
+[[gnu::always_inline]] inline void FillGrid::take_offers(int first, int second) {
+  const float* source = source_.data();
+  const std::ptrdiff_t pitch = pitch_;
+  const Float8 depth_m = {source[first],  source[first],  source[first],  source[first],
+                          source[second], source[second], source[second], source[second]};
+  OffersForTwo best;
   FACET_UNROLL for (int dy = -1; dy <= 1; ++dy) {
-    const float* centre = at + dy * pitch_;
-    Float4 sum{};
-    Int4 count{};
+    Float8 sum{};
+    Int8 count{};
     FACET_UNROLL for (int dx = -2; dx <= 0; ++dx) {
-      const Float4 above = load(centre + dx - pitch_), row = load(centre + dx),
-                   below = load(centre + dx + pitch_);
+      Float8 above, row, below;
+      load_two(source + first + dx + (dy - 1) * pitch, source + second + dx + (dy - 1) * pitch, above);
+      load_two(source + first + dx + dy * pitch, source + second + dx + dy * pitch, row);
+      load_two(source + first + dx + (dy + 1) * pitch, source + second + dx + (dy + 1) * pitch, below);
       sum += above + row + below;
       count -= (above > 0) + (row > 0) + (below > 0);  // true is -1
     }
-    const Float4 mean = sum / __builtin_convertvector(count, Float4);
-    const Float4 step = mean - *at;
-    best.take_better({mean, step < 0 ? -step : step});
+    const Float8 mean = sum / __builtin_convertvector(count, Float8);
+    const Float8 step = mean - depth_m;
+    best.take_better(mean, step < 0 ? -step : step);
   }
-  best = best.best_of_three();
-  mean_m_[static_cast<std::size_t>(source)] = best.mean_m[0];
-  distance_m_[static_cast<std::size_t>(source)] = best.distance_m[0];
+  best.take_best_lane();
+  mean_m_[static_cast<std::size_t>(first)] = best.mean_m[0];
+  distance_m_[static_cast<std::size_t>(first)] = best.distance_m[0];
+  mean_m_[static_cast<std::size_t>(second)] = best.mean_m[4];
+  distance_m_[static_cast<std::size_t>(second)] = best.distance_m[4];
 }
 
 /// Looks at a row of three sources at a time; only sources have an offer.
-inline float FillGrid::best_mean(int pixel) const {
-  FourOffers best;
+[[gnu::always_inline]] inline void FillGrid::find_best_means(int first, int second, float& first_m,
+                                                             float& second_m) const {
+  OffersForTwo best;
   FACET_UNROLL for (int dy = -1; dy <= 1; ++dy) {
-    const int at = pixel + dy * pitch_ - 1;
-    const Float4 distance = load(distance_m_.data() + at);
-    best.take_better(
-        {load(mean_m_.data() + at), load(source_.data() + at) > 0 ? distance : FourOffers{}.distance_m});
+    const std::ptrdiff_t a = first + dy * pitch_ - 1, b = second + dy * pitch_ - 1;
+    Float8 source, mean, distance;
+    load_two(source_.data() + a, source_.data() + b, source);
+    load_two(mean_m_.data() + a, mean_m_.data() + b, mean);
+    load_two(distance_m_.data() + a, distance_m_.data() + b, distance);
+    best.take_better(mean, source > 0 ? distance : Float8{} + FillOffer{}.distance_m);
   }
-  return best.best_of_three().mean_m[0];
+  best.take_best_lane();
+  first_m = best.mean_m[0];
+  second_m = best.mean_m[4];
 }
 
 FACET_CPU_CLONES void FillGrid::propose(const std::vector<int>& pixels, std::vector<float>& means_m) {
   ++pass_;
   list_sources_beside(pixels);
-  for (const int source : sources_) take_offer(source);
+  for (std::size_t i = 0; i < sources_.size(); i += 2)
+    take_offers(sources_[i], sources_[std::min(i + 1, sources_.size() - 1)]);
   means_m.resize(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i) means_m[i] = best_mean(pixels[i]);
+  for (std::size_t i = 0; i < pixels.size(); i += 2) {
+    const std::size_t k = std::min(i + 1, pixels.size() - 1);
+    find_best_means(pixels[i], pixels[k], means_m[i], means_m[k]);
+  }
 }
 
 }  // namespace facet

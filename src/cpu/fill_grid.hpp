@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -37,12 +38,12 @@ class FillGrid {
  private:
   static constexpr int pad = 2;
   void list_sources_beside(const std::vector<int>& pixels);
-  void take_offer(int source);
-  float best_mean(int pixel) const;
+  void take_offers(int first, int second);
+  void find_best_means(int first, int second, float& first_m, float& second_m) const;
 
   Size size_;
   int pitch_ = 2 * pad;
-  int offsets_[8] = {};
+  std::array<int, 8> offsets_{};
   std::vector<float> source_;
   std::vector<float> mean_m_, distance_m_;  ///< offers of the sources listed last
   std::vector<int> sources_;
