@@ -34,9 +34,10 @@ struct OffersForTwo {
   /// Takes the best of each pixel's first three lanes into its first.
   [[gnu::always_inline]] void take_best_lane() {
     const OffersForTwo lanes = *this;
-    const Int8 second{1, 2, 0, 3, 5, 6, 4, 7}, third{2, 0, 1, 3, 6, 4, 5, 7};
-    take_better(__builtin_shuffle(lanes.mean_m, second), __builtin_shuffle(lanes.distance_m, second));
-    take_better(__builtin_shuffle(lanes.mean_m, third), __builtin_shuffle(lanes.distance_m, third));
+    take_better(__builtin_shufflevector(lanes.mean_m, lanes.mean_m, 1, 2, 0, 3, 5, 6, 4, 7),
+                __builtin_shufflevector(lanes.distance_m, lanes.distance_m, 1, 2, 0, 3, 5, 6, 4, 7));
+    take_better(__builtin_shufflevector(lanes.mean_m, lanes.mean_m, 2, 0, 1, 3, 6, 4, 5, 7),
+                __builtin_shufflevector(lanes.distance_m, lanes.distance_m, 2, 0, 1, 3, 6, 4, 5, 7));
   }
 };
 

@@ -8,8 +8,8 @@
 #include "core/depth_noise.hpp"
 #include "core/image_view.hpp"
 #include "core/neighbours.hpp"
+#include "core/normal_views.hpp"
 #include "core/vec.hpp"
-#include "stage/normals.hpp"
 
 namespace facet {
 

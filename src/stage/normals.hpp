@@ -4,6 +4,7 @@
 
 #include "core/camera.hpp"
 #include "core/image_view.hpp"
+#include "core/normal_views.hpp"
 #include "core/vec.hpp"
 
 namespace facet {
@@ -23,16 +24,6 @@ struct InverseDepthOp {
     const auto q = static_cast<std::int32_t>(units_per_inverse_metre / safe + 0.5f);
     inverse_depth(x, y) = z > 0 ? q : 0;
   }
-};
-
-/// Three images side by side, so that neighbouring pixels' normals can be worked on at once.
-template <class T>
-struct NormalViews {
-  ImageView<T> x, y, z;
-
-  FACET_HD Size size() const { return x.size(); }
-  FACET_HD void set(int px, int py, Vec3 n) const { x(px, py) = n.x, y(px, py) = n.y, z(px, py) = n.z; }
-  FACET_HD operator NormalViews<const T>() const { return {x, y, z}; }
 };
 
 /// Sums of a plane fit q = c + a dx + b dy over a full square window centred on the pixel; exact integers

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/image.hpp"
-#include "stage/normals.hpp"
+#include "core/normal_views.hpp"
 
 namespace facet {
 

@@ -22,7 +22,8 @@ using Rows = std::array<const float*, max_temporal_frames>;
 /// TemporalAverageOp for the eight pixels from x on. Unrolled for the number of frames, so that the readings
 /// stay in registers.
 template <int count, TemporalMode mode>
-[[gnu::always_inline]] inline void average_eight(const Rows& rows, int x, const DepthNoise& noise, float* out) {
+[[gnu::always_inline]] inline void average_eight(const Rows& rows, int x, const DepthNoise& noise,
+                                                 float* out) {
   Float8 z[count];
   Int8 valid{};
 #pragma GCC unroll 16
@@ -43,7 +44,7 @@ template <int count, TemporalMode mode>
         z[k] = a < b ? b : a;
       }
 #pragma GCC unroll 16
-    for (int i = 0; i < count; ++i) centre = (valid > 0) & (valid >> 1 == i) ? z[i] : centre;
+    for (int i = 0; i < count; ++i) centre = ((valid > 0) & (valid >> 1 == i)) ? z[i] : centre;
     const Float8 beyond = centre - noise.z0_m;  // as DepthNoise::sigma_m
     tolerance = 3 * (noise.a_m + noise.b_per_m * beyond * beyond);
   }
