@@ -14,6 +14,7 @@
 #include "stage/morphology.hpp"
 #include "stage/non_max_suppression.hpp"
 #include "stage/normals.hpp"
+#include "stage/outline_trim.hpp"
 #include "stage/ownership.hpp"
 #include "stage/pruning.hpp"
 #include "stage/temporal_average.hpp"
@@ -84,6 +85,7 @@ void compile_every_stage(LaunchOnlyExecutor& e, ImageView<float> f, ImageView<st
   thin(e, m, m);
   prune(e, PruningParams{}, f, m, PruningScratch{m, m, m});
   edge_kind(e, EdgeKindParams{}, c, f, f, f, m, m, m);
+  trim_outlines(e, 4.5f, 0.03f, f, f);
   label_components(e, f, m, i);
   give_back_pixels(e, 0.1f, 1.0f, d, f, l, m, l);
 }

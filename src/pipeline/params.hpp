@@ -7,6 +7,7 @@
 #include "stage/fill_missing.hpp"
 #include "stage/gradient.hpp"
 #include "stage/morphology.hpp"
+#include "stage/outline_trim.hpp"
 #include "stage/pruning.hpp"
 #include "stage/temporal_average.hpp"
 #include "stage/wiener.hpp"
@@ -25,6 +26,7 @@ namespace facet {
 struct PipelineParams {
   Sensor sensor = Sensor::automatic;
   TemporalParams temporal;
+  OutlineParams outline;
   FillParams fill;
   WienerParams wiener;
   GradientParams gradient;

@@ -30,6 +30,11 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("temporal.frames", p.temporal.frames,
         FieldInfo{"frames", 1, 16, "window, the current frame included"});
 
+  visit("outline.fattening_px", p.outline.fattening_px,
+        FieldInfo{"px", -1, 8, "near outlines are trimmed by this much; -1 = by what the sensor adds"});
+  visit("outline.jump_ratio", p.outline.jump_ratio,
+        FieldInfo{"m/m", 0, 1, "least jump at an outline, relative to depth"});
+
   visit("fill.enabled", p.fill.enabled, FieldInfo{"", 0, 0, "fill missing depth (Algorithm 1)"});
   visit("fill.prefer", p.fill.prefer,
         FieldInfo{"", 0, 0, "far = shadows are filled from their far side only"});
@@ -80,6 +85,8 @@ void visit_fields(Params& p, Visitor&& visit) {
         FieldInfo{"mm", 0, 100000, "basins: radius of usual curved surfaces; 0 = patches are planes"});
   visit("merge.flat_deg", p.merge.flat_deg,
         FieldInfo{"deg", 0, 180, "basins: borders that turn by less are judged first"});
+  visit("merge.border_moves_px", p.merge.border_moves_px,
+        FieldInfo{"px", 0, 16, "basins: farthest that a border moves to where the patches meet"});
 
   visit("convexity", p.edge_kind.convexity,
         FieldInfo{"", 0, 0, "signed test, or Table 1's hessian as printed"});

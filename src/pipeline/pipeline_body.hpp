@@ -12,6 +12,7 @@
 #include "stage/labelling.hpp"
 #include "stage/non_max_suppression.hpp"
 #include "stage/normals.hpp"
+#include "stage/outline_trim.hpp"
 #include "stage/ownership.hpp"
 #include "stage/thinning.hpp"
 #include "surface/basin_merging.hpp"
@@ -38,7 +39,10 @@ class PipelineBody {
     executor_.timed(result.times.total_ms, [&] {
       take_in(frame.depth_m);
       timed(result, StageId::temporal, [&] { average_frames(); });
-      timed(result, StageId::fill, [&] { fill_holes(); });
+      timed(result, StageId::fill, [&] {
+        trim_near_outlines();
+        fill_holes(b_.averaged.view());
+      });
       timed(result, StageId::wiener, [&] { filter_noise(); });
       timed(result, StageId::gradient, [&] { differentiate(); });
       timed(result, StageId::depth_strength, [&] { rate_depth_edges(); });
@@ -86,10 +90,18 @@ class PipelineBody {
     temporal_average(executor_, params_.temporal, noise_, history_, b_.averaged.view());
   }
 
-  void fill_holes() {  // section 3.4.3, Algorithm 1
+  void trim_near_outlines() {
+    const float radius_px = fattening_px(params_.outline, params_.sensor);
+    if (radius_px <= 0) return;
+    executor_.copy(std::as_const(b_.averaged).view(), b_.scratch_b.view());
+    fill_holes(b_.scratch_b.view());
+    trim_outlines(executor_, radius_px, params_.outline.jump_ratio, b_.scratch_b.view(), b_.averaged.view());
+  }
+
+  void fill_holes(ImageView<float> depth_m) {  // section 3.4.3, Algorithm 1
     const FillScratch scratch{b_.mask_a.view(), b_.mask_b.view(), b_.scratch_a.view()};
     if (params_.fill.enabled)
-      fill_missing(executor_, params_.fill, b_.averaged.view(), b_.filled.view(), scratch);
+      fill_missing(executor_, params_.fill, depth_m, b_.filled.view(), scratch);
     else
       executor_.fill(b_.filled.view(), std::uint8_t{0});
   }

@@ -44,6 +44,9 @@ std::string needs_normals(const P& p) {
 std::string needs_region_contours(const P& p) {
   return needs(p.contours.mode == ContourMode::regions, "outlines of regions");
 }
+std::string needs_fattening(const P& p) {
+  return needs(fattening_px(p.outline, p.sensor) > 0, "a sensor that fattens near outlines");
+}
 std::string needs_pose(const P& p) {
   return needs(p.pose.enabled, "poses");
 }
@@ -88,6 +91,10 @@ constexpr std::array table{
                    [](P& p) { p.cd.closure = CreaseClosure::canny; }, needs_normals},
     AblationSwitch{"patch_fit", "smooth curved surfaces stay whole; off: planes alone",
                    [](P& p) { p.merge.curve_radius_mm = 0; }, needs_basins},
+    AblationSwitch{"border_moves", "borders moved to where the patches meet",
+                   [](P& p) { p.merge.border_moves_px = 0; }, needs_basins},
+    AblationSwitch{"outlines", "near outlines trimmed by what the sensor adds",
+                   [](P& p) { p.outline.fattening_px = 0; }, needs_fattening},
     AblationSwitch{"signed_convexity", "signed convexity; off: Table 1's Hessian",
                    [](P& p) { p.edge_kind.convexity = Convexity::hessian; }, always},
     AblationSwitch{"no_morphology", "edges as they are; off: the paper's dilation and erosion (eqs 7-9)",

@@ -54,7 +54,7 @@ void BasinGraph::collect_basins(const BasinLandscape& l) {
       std::int32_t& index = index_[static_cast<std::size_t>(name)];
       if (index < 0) {
         index = static_cast<std::int32_t>(basins_.size());
-        basins_.push_back({name, unknown_strength, {}});
+        basins_.emplace_back();
       }
       Basin& basin = basins_[static_cast<std::size_t>(index)];
       const std::int32_t* q = l.inverse_depth.row(y) + begin;
@@ -153,7 +153,6 @@ void BasinGraph::join(int a, int b) {
   sets_.join(a, b);
   Basin& into = basin(a);
   const Basin& from = basin(b);
-  into.name = std::min(into.name, from.name);
   into.lowest = std::min(into.lowest, from.lowest);
   into.moments += from.moments;
 }
@@ -162,7 +161,7 @@ void BasinGraph::write_regions(const BasinLandscape& l, ImageView<std::int32_t> 
   for (int y = 0; y < l.basin.height; ++y)
     for (int x = 0; x < l.basin.width; ++x) {
       const std::int32_t name = l.basin(x, y);
-      region(x, y) = name < 0 ? -1 : basin(find(index_[static_cast<std::size_t>(name)])).name;
+      region(x, y) = name < 0 ? -1 : find(index_[static_cast<std::size_t>(name)]);
     }
 }
 

@@ -26,11 +26,12 @@ struct BasinLandscape {
   int guard_px = 0;  ///< strength is known where the distance is larger
   float floor = 0;   ///< differences of strength below this are noise
   Camera camera;
+
+  double q(int x, int y) const { return inverse_depth_unit * inverse_depth(x, y); }  ///< inverse depth [1/m]
 };
 
 /// A basin, or several that were joined.
 struct Basin {
-  std::int32_t name = 0;            ///< the smallest of the names of its basins
   float lowest = unknown_strength;  ///< of the known strengths inside
   PatchMoments moments;
 };
@@ -78,7 +79,7 @@ class BasinGraph {
       link = &next;
     }
   }
-  /// Names of the regions, per pixel.
+  /// Regions as find() names them, per pixel, -1 = none.
   void write_regions(const BasinLandscape& landscape, ImageView<std::int32_t> region);
 
   Basin& basin(int i) { return basins_[static_cast<std::size_t>(i)]; }

@@ -15,6 +15,8 @@ constexpr double min_readings = 5;
 constexpr double usual_slope = 2;
 /// A region's borders are judged anew when it has grown by this factor, and one about to be joined always.
 constexpr double patch_growth = 1.1;
+/// A sum of six squares of standard normal numbers, one per term of a patch, is larger in one case of 100.
+constexpr double chi_square_6_99 = 16.8;
 
 }  // namespace
 
@@ -30,20 +32,23 @@ void BasinMerging::join_shallow_basins(float floor) {
     const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
     if (a == b || pass >= unknown_strength) continue;
     const Basin &l = graph_.basin(a), &r = graph_.basin(b);
-    const bool few = std::min(l.moments.count(), r.moments.count()) <= min_readings * pixels_per_reading;
+    const bool few = std::min(l.moments.count(), r.moments.count()) <= min_readings * double{noise_.pixels_per_reading};
     if (few && pass - std::max(l.lowest, r.lowest) < floor) graph_.join(a, b);
   }
 }
 
-void BasinMerging::fit(int region) {
-  const PatchMoments& moments = graph_.basin(region).moments;
+/// Variance of q of one independent reading, times the pixels that share one.
+double BasinMerging::reading_variance(const PatchMoments& moments) const {
   const double q = moments.mean_q();  // noise of q = noise of z times q^2
   const double sigma = noise_.sigma_m(static_cast<float>(1 / q)) * q * q;
+  return double{noise_.pixels_per_reading} * sigma * sigma;
+}
+
+PatchFit BasinMerging::fitted(const PatchMoments& moments) const {
   // A surface of radius R has dq/dx = q/f times its slope dz/dx, and d2q/dx2 = 1 / (R f^2).
   const double curvature =
       params_.curve_radius_mm > 0 ? 1e3 / (params_.curve_radius_mm * focal_px_ * focal_px_) : 1e-12;
-  fits_[static_cast<std::size_t>(region)] =
-      moments.fit({pixels_per_reading * sigma * sigma, usual_slope * q / focal_px_, curvature});
+  return moments.fit({reading_variance(moments), usual_slope * moments.mean_q() / focal_px_, curvature});
 }
 
 /// Whether a border must be judged anew: it is longer, or a side has grown by more than `growth`.
@@ -63,19 +68,33 @@ void BasinMerging::judge(int i) {
   Judgement& judged = judgements_[static_cast<std::size_t>(i)];
   judged = {pixels_a + pixels_b, std::min(pixels_a, pixels_b), border.length, judged.serial + 1};
   if (border.strength() > most_strength_) return;
-  const double difference =
+  const auto [excess, expected] =
       seam_difference(fits_[static_cast<std::size_t>(a)], fits_[static_cast<std::size_t>(b)], border.seam(),
                       focal_px_, tolerance_);
-  if (difference >= 1) return;
-  candidates_.push_back({static_cast<float>(difference), i, judged.serial});
+  if (excess >= 1) return;
+  candidates_.push_back({static_cast<float>(expected), i, judged.serial});
   std::push_heap(candidates_.begin(), candidates_.end(), is_later);
+}
+
+/// Whether a patch fitted to both regions explains them as well as two do: what it adds to the squares is
+/// noise or, over the smaller region, within the tolerated step.
+bool BasinMerging::is_one_patch(int a, int b) const {
+  const PatchMoments &of_a = graph_.basin(a).moments, &of_b = graph_.basin(b).moments;
+  PatchMoments both = of_a;
+  both += of_b;
+  const double added = fitted(both).squares() - fits_[static_cast<std::size_t>(a)].squares() -
+                       fits_[static_cast<std::size_t>(b)].squares();
+  const double step = double{params_.step_ratio} * both.mean_q();
+  return added <
+         chi_square_6_99 * reading_variance(both) + std::min(of_a.count(), of_b.count()) * step * step;
 }
 
 void BasinMerging::join_across(int i) {
   const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
+  if (!is_one_patch(a, b)) return;
   graph_.join(a, b);
   const int region = graph_.find(a);
-  fit(region);
+  fits_[static_cast<std::size_t>(region)] = fitted(graph_.basin(region).moments);
   graph_.for_each_border_of(region, [this](int k) {
     if (has_changed(k, patch_growth)) judge(k);
   });
@@ -110,12 +129,14 @@ void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& par
   join_shallow_basins(landscape.floor);
   fits_.resize(static_cast<std::size_t>(graph_.basin_count()));
   for (int i = 0; i < graph_.basin_count(); ++i)
-    if (graph_.find(i) == i) fit(i);
+    if (graph_.find(i) == i) fits_[static_cast<std::size_t>(i)] = fitted(graph_.basin(i).moments);
   judgements_.assign(graph_.borders().size(), {});
   join_alike(chord_of(params.flat_deg));
   join_alike(unknown_strength);
   region.resize(landscape.basin.size());
   graph_.write_regions(landscape, region.view());
+  competition_.run({landscape, fits_, noise, double{params.fit_sigmas}}, params.border_moves_px,
+                   region.view());
 }
 
 }  // namespace facet

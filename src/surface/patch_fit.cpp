@@ -49,6 +49,7 @@ PatchMoments& PatchMoments::operator+=(const PatchMoments& other) {
     for (std::size_t j = 0; i + j < 5; ++j) powers_[i][j] += other.powers_[i][j];
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; i + j < 3; ++j) products_[i][j] += other.products_[i][j];
+  squares_ += other.squares_;
   return *this;
 }
 
@@ -71,6 +72,7 @@ PatchFit PatchMoments::fit(const PatchPrior& prior) const {
     }
     right(r) = shifted(products_, ir, jr, px, py) - mean_q() * normal(0, r);
   }
+  const Matrix6 unbiased = normal;
   const double variance = prior.reading_variance;
   const double slope = prior.slope / px_unit, curvature = prior.curvature / (px_unit * px_unit);
   normal(1, 1) += variance / (slope * slope), normal(2, 2) += variance / (slope * slope);
@@ -79,7 +81,9 @@ PatchFit PatchMoments::fit(const PatchPrior& prior) const {
       normal(5, 5) += 4 * variance / (curvature * curvature);
   normal(4, 4) += variance / (curvature * curvature);
   const Eigen::LDLT<Matrix6> solver(normal);
-  Eigen::Map<Vector6>(patch.terms_.data()) = solver.solve(right);
+  const Vector6 terms = solver.solve(right);
+  patch.squares_ = squares_ - count() * mean_q() * mean_q() + terms.dot(unbiased * terms - 2 * right);
+  Eigen::Map<Vector6>(patch.terms_.data()) = terms;
   patch.terms_[0] += mean_q();
   Eigen::Map<Matrix6>(patch.covariance_.data()) = variance * solver.solve(Matrix6::Identity());
   return patch;
@@ -91,6 +95,12 @@ PatchPoint PatchFit::at(double x_px, double y_px) const {
   return {c + cx * x + cy * y + cxx * x * x + cxy * x * y + cyy * y * y,
           PatchMoments::px_unit * (cx + 2 * cxx * x + cxy * y),
           PatchMoments::px_unit * (cy + cxy * x + 2 * cyy * y)};
+}
+
+double PatchFit::q_at(double x_px, double y_px) const {
+  const double x = PatchMoments::px_unit * x_px - x0_, y = PatchMoments::px_unit * y_px - y0_;
+  const auto& [c, cx, cy, cxx, cxy, cyy] = terms_;
+  return c + x * (cx + cxx * x + cxy * y) + y * (cy + cyy * y);
 }
 
 PatchFit::Variance PatchFit::variance_at(double x_px, double y_px) const {

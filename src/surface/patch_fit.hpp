@@ -21,11 +21,14 @@ struct PatchPoint {
 class PatchFit {
  public:
   PatchPoint at(double x_px, double y_px) const;
+  double q_at(double x_px, double y_px) const;  ///< the value alone
   /// Variances of the value [1/m^2] and of the two slopes together [1/m^2 per px^2].
   struct Variance {
     double value = 0, slope = 0;
   };
   Variance variance_at(double x_px, double y_px) const;
+  /// Sum over the pixels of the squared distances of q from the patch [1/m^2].
+  double squares() const { return squares_; }
 
  private:
   friend class PatchMoments;
@@ -33,6 +36,7 @@ class PatchFit {
   double x0_ = 0, y0_ = 0;         ///< centre of the region, in units
   std::array<double, 6> terms_{};  ///< of 1, x, y, x^2, xy, y^2 about the centre
   std::array<double, 36> covariance_{};
+  double squares_ = 0;
 };
 
 /// Sums from which a patch is fitted to the inverse depth of a region's pixels; those of two regions add up.
@@ -48,6 +52,7 @@ class PatchMoments {
       const double x = px_unit * (x_px + k), q = q_at(k), xx = x * x;
       powers[0] += 1, powers[1] += x, powers[2] += xx, powers[3] += xx * x, powers[4] += xx * xx;
       products[0] += q, products[1] += q * x, products[2] += q * xx;
+      squares_ += q * q;
     }
     add_row(powers, products, px_unit * y_px);
   }
@@ -66,6 +71,7 @@ class PatchMoments {
 
   std::array<std::array<double, 5>, 5> powers_{};    ///< [i][j]: sum of x^i y^j, i + j <= 4
   std::array<std::array<double, 3>, 3> products_{};  ///< [i][j]: sum of q x^i y^j, i + j <= 2
+  double squares_ = 0;                               ///< sum of q^2
 };
 
 }  // namespace facet

@@ -37,20 +37,22 @@ SeamVariance variance_of(const PatchFit& fit, double x, double y, double focal_p
 
 }  // namespace
 
-double seam_difference(const PatchFit& a, const PatchFit& b, std::span<const SeamPoint> seam, double focal_px,
-                       const SeamTolerance& tolerance) {
+SeamDifference seam_difference(const PatchFit& a, const PatchFit& b, std::span<const SeamPoint> seam,
+                               double focal_px, const SeamTolerance& tolerance) {
   double angle = 0, step = 0;
   for (const auto& [x, y] : seam) {
     const PatchPoint pa = a.at(x, y), pb = b.at(x, y);
     angle += squared_chord(pa, pb, x, y, focal_px);
     step += square(pa.q - pb.q) / std::abs(pa.q * pb.q);
   }
-  const auto count = static_cast<double>(seam.size());
+  angle /= static_cast<double>(seam.size()), step /= static_cast<double>(seam.size());
   const auto [x, y] = seam[seam.size() / 2];
   const SeamVariance va = variance_of(a, x, y, focal_px), vb = variance_of(b, x, y, focal_px);
+  const double angle_noise = va.angle + vb.angle, step_noise = va.step + vb.step;
+  const double most_angle = square(tolerance.angle_rad), most_step = square(tolerance.step_ratio);
   const double s = square(tolerance.sigmas);
-  return std::sqrt(std::max(angle / count / (square(tolerance.angle_rad) + s * (va.angle + vb.angle)),
-                            step / count / (square(tolerance.step_ratio) + s * (va.step + vb.step))));
+  return {std::sqrt(std::max(angle / (most_angle + s * angle_noise), step / (most_step + s * step_noise))),
+          std::sqrt(std::max((angle + angle_noise) / most_angle, (step + step_noise) / most_step))};
 }
 
 }  // namespace facet

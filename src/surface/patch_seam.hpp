@@ -17,9 +17,14 @@ struct SeamTolerance {
 /// A pixel of a seam, relative to the principal point [px].
 using SeamPoint = std::array<float, 2>;
 
-/// Difference of two patches along their seam over what is tolerated: the larger one of the root mean squares
-/// of the angle and of the step. Above 1, the two are surfaces of their own. `focal_px`: of the camera.
-double seam_difference(const PatchFit& a, const PatchFit& b, std::span<const SeamPoint> seam, double focal_px,
-                       const SeamTolerance& tolerance);
+/// Difference of two patches along their seam: the larger one of the root mean squares of the angle and of
+/// the step, over what is tolerated.
+struct SeamDifference {
+  double excess = 0;    ///< over the tolerance and the noise of the fits: above 1, the two are surfaces
+  double expected = 0;  ///< with the noise of the fits added to it, over the tolerance alone
+};
+/// `focal_px`: of the camera.
+SeamDifference seam_difference(const PatchFit& a, const PatchFit& b, std::span<const SeamPoint> seam,
+                               double focal_px, const SeamTolerance& tolerance);
 
 }  // namespace facet

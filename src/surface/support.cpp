@@ -94,7 +94,7 @@ void Support::find_pieces(const SupportInput& input, const SupportParams& params
     bool joins = false;
     if (!is_support && points.size() > 2) {
       const Offset offset = offset_of(points, *plane_);
-      const double readings = std::max(input.pixels.measured_px[i] / pixels_per_reading, 1.0);
+      const double readings = std::max(input.pixels.measured_px[i] / double{input.noise.pixels_per_reading}, 1.0);
       // A fit of three parameters knows its own points to sqrt(3 / readings) of one reading's noise.
       const double noise_m =
           offset.facing * input.noise.sigma_m(static_cast<float>(offset.depth_m)) * std::sqrt(3 / readings);

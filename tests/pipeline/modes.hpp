@@ -8,6 +8,7 @@ namespace facet {
 inline PipelineParams naive_params() {
   PipelineParams p;
   p.temporal.enabled = false;
+  p.outline.fattening_px = 0;
   p.fill.enabled = false;
   p.wiener.enabled = false;
   p.gradient.op = GradientOperator::central;
@@ -28,6 +29,7 @@ inline PipelineParams naive_params() {
 inline PipelineParams paper_params() {
   PipelineParams p;
   p.temporal.mode = TemporalMode::mean;
+  p.outline.fattening_px = 0;
   p.fill.prefer = FillPrefer::nearest;
   p.fill.max_hole_px = 0;
   p.fill.max_passes = 32;

@@ -134,6 +134,7 @@ TEST(BasinMerging, ASmoothSurfaceStaysOneWherePatchesMayCurve) {
 TEST(BasinMerging, TheAngleThatMakesACreaseIsAParameter) {
   MergeParams params;
   params.crease_deg = 40;
+  params.step_ratio = 0.05f;  // one patch explains both to within 4 cm
   EXPECT_EQ(count_regions(roof(30, 0.001).merged(params)), 1);
 }
 
@@ -171,10 +172,35 @@ TEST(BasinMerging, WhatIsNoBasinStaysSoAndSeparates) {
   EXPECT_EQ(region(48, 20), -1);
 }
 
-TEST(BasinMerging, ARegionIsNamedByTheSmallestOfItsBasins) {
-  const Image<std::int32_t> region = roof(30, 0.001).merged();
-  EXPECT_EQ(region(10, 30), 0);
-  EXPECT_EQ(region(80, 30), 48);
+/// A flat board whose left half bends towards the camera by 15 cm: at the seam the two go on into each other,
+/// but no one patch explains both.
+TEST(BasinMerging, PatchesThatTouchSmoothlyButAreNotOneStayTwo) {
+  const auto depth = [](double x) { return x < 48 ? 0.8 - 0.15 * std::pow((48 - x) / 48, 2) : 0.8; };
+  Landscape scene(
+      depth, [](double) { return 0.0; }, 0.0005, 8);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) scene.basin(x, y) = x < 48 ? 0 : 48;
+  EXPECT_EQ(count_regions(scene.merged()), 2);
+  MergeParams tolerant;
+  tolerant.step_ratio = 0.02f;
+  EXPECT_EQ(count_regions(scene.merged(tolerant)), 1);
+}
+
+TEST(BasinMerging, BordersMoveToTheCrease) {
+  Landscape scene = roof(90, 0.001);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) scene.basin(x, y) = x < 44 + y / 8 % 2 * 8 ? 0 : 52;
+  MergeParams still;
+  still.border_moves_px = 0;
+  const auto wrong = [&](const MergeParams& params) {
+    const Image<std::int32_t> region = scene.merged(params);
+    int count = 0;
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) count += region(x, y) != region(x < 48 ? 0 : 95, 0);
+    return count;
+  };
+  EXPECT_EQ(wrong(still), 4 * size.height);
+  EXPECT_LE(wrong({}), size.height);  // 1 px
 }
 
 TEST(BasinMerging, IsTheSameForASecondFrame) {

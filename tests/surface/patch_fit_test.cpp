@@ -1,6 +1,7 @@
 #include "surface/patch_fit.hpp"
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -46,6 +47,19 @@ Eigen::VectorXd fit_by_eigen(const Patch& patch) {
     q(row) = patch.points[i].z();
   }
   return a.colPivHouseholderQr().solve(q);
+}
+
+TEST(PatchFit, KnowsTheSquaresThatItLeaves) {
+  for (const PatchPrior& prior : {vague, PatchPrior{1e-3, 1e-4, 1e-6}}) {
+    const Patch patch = random_patch(7, 0.3);
+    const PatchFit fit = patch.moments.fit(prior);
+    double squares = 0;
+    for (const Eigen::Vector3d& p : patch.points) {
+      EXPECT_NEAR(fit.q_at(p.x(), p.y()), fit.at(p.x(), p.y()).q, 1e-12);
+      squares += std::pow(p.z() - fit.q_at(p.x(), p.y()), 2);
+    }
+    EXPECT_NEAR(fit.squares(), squares, 1e-9);
+  }
 }
 
 TEST(PatchFit, WithoutAPriorIsEigensLeastSquares) {

@@ -35,32 +35,35 @@ TEST(SeamDifference, IsTheAngleBetweenTwoPlanesOverWhatIsTolerated) {
   const PatchFit left = patch_of(turned(20, 0.9), -30), right = patch_of(turned(-10, 0.9), 0);
   const SeamTolerance tolerance{15 * M_PI / 180, 1, 0};
   const double chord = 2 * std::sin(15 * M_PI / 180);
-  EXPECT_NEAR(seam_difference(left, right, seam(), focal_px, tolerance), chord / (15 * M_PI / 180), 1e-3);
+  EXPECT_NEAR(seam_difference(left, right, seam(), focal_px, tolerance).excess, chord / (15 * M_PI / 180),
+              1e-3);
 }
 
 TEST(SeamDifference, IsTheRelativeStepBetweenTwoPlanes) {
   const PatchFit left = patch_of(turned(0, 1.0), -30), right = patch_of(turned(0, 1.02), 0);
-  EXPECT_NEAR(seam_difference(left, right, seam(), focal_px, {1, 0.01, 0}), 0.02 / 1.01 * 1.01 / 0.01, 0.02);
+  EXPECT_NEAR(seam_difference(left, right, seam(), focal_px, {1, 0.01, 0}).excess, 0.02 / 1.01 * 1.01 / 0.01,
+              0.02);
 }
 
 TEST(SeamDifference, VanishesAlongASmoothSurface) {
   const auto bowl = [](double u) { return 1.2 + 1.5 * u * u; };
   const PatchFit left = patch_of(bowl, -30), right = patch_of(bowl, 0);
-  EXPECT_LT(seam_difference(left, right, seam(), focal_px, {15 * M_PI / 180, 0.005, 0}), 0.1);
+  EXPECT_LT(seam_difference(left, right, seam(), focal_px, {15 * M_PI / 180, 0.005, 0}).excess, 0.1);
 }
 
-TEST(SeamDifference, ShrinksWithTheNoiseOfTheFits) {
+TEST(SeamDifference, ItsExcessShrinksWithTheNoiseOfTheFitsAndItsExpectationGrows) {
   const SeamTolerance tolerance{15 * M_PI / 180, 0.005, 3};
-  double before = 1e9;
+  SeamDifference before{1e9, 0};
   for (const double sigma : {1e-4, 1e-2, 1e-1}) {
     const PatchPrior prior{20 * sigma * sigma, 10, 10};
-    const double difference =
+    const SeamDifference difference =
         seam_difference(patch_of(turned(20, 0.9), -30, prior), patch_of(turned(-20, 0.9), 0, prior), seam(),
                         focal_px, tolerance);
-    EXPECT_LT(difference, before);
+    EXPECT_LT(difference.excess, before.excess);
+    EXPECT_GT(difference.expected, before.expected);
     before = difference;
   }
-  EXPECT_LT(before, 1);
+  EXPECT_LT(before.excess, 1);
 }
 
 }  // namespace
