@@ -116,13 +116,14 @@ void BasinGraph::collect_borders(const BasinLandscape& landscape) {
 void BasinGraph::list_borders() {
   first_.assign(basins_.size(), -1);
   last_.assign(basins_.size(), -1);
-  shared_.assign(basins_.size(), -1);
+  degree_.assign(basins_.size(), 0);
   next_.assign(2 * borders_.size(), -1);
   for (std::size_t i = 0; i < borders_.size(); ++i) {
     const auto append = [this](int region, int side) {
       int& last = last_[static_cast<std::size_t>(region)];
       (last < 0 ? first_[static_cast<std::size_t>(region)] : next_[static_cast<std::size_t>(last)]) = side;
       last = side;
+      ++degree_[static_cast<std::size_t>(region)];
     };
     append(borders_[i].a, static_cast<int>(2 * i));
     append(borders_[i].b, static_cast<int>(2 * i + 1));
@@ -134,27 +135,39 @@ int BasinGraph::neighbour_across(int border_index, int region) {
   return a == region ? find(border(border_index).b) : a;
 }
 
-void BasinGraph::join(int a, int b) {
-  if (b < a) std::swap(a, b);
-  const auto shared = [this](int region) -> int& { return shared_[static_cast<std::size_t>(region)]; };
-  for_each_border_of(a, [&](int i) { shared(neighbour_across(i, a)) = i; });
-  for_each_border_of(b, [&](int i) {
-    const int neighbour = neighbour_across(i, b), other = shared(neighbour);
-    if (neighbour != a && other < 0) return;
-    if (neighbour != a) extend(border(other), border(i));
-    border(i).length = 0;
+/// The border between two regions, -1 = none.
+int BasinGraph::border_between(int a, int b) {
+  if (degree_[static_cast<std::size_t>(a)] > degree_[static_cast<std::size_t>(b)]) std::swap(a, b);
+  int found = -1;
+  for_each_border_of(a, [&](int i) {
+    if (neighbour_across(i, a) == b) found = i;
   });
-  for_each_border_of(a, [&](int i) { shared(neighbour_across(i, a)) = -1; });
-  shared(b) = -1;
+  return found;
+}
 
-  const auto side = [](std::vector<int>& sides, int k) -> int& { return sides[static_cast<std::size_t>(k)]; };
-  (side(last_, a) < 0 ? side(first_, a) : side(next_, side(last_, a))) = side(first_, b);
-  if (side(last_, b) >= 0) side(last_, a) = side(last_, b);
+std::span<const int> BasinGraph::join(int a, int b) {
+  if (b < a) std::swap(a, b);
+  const auto of = [](std::vector<int>& values, int k) -> int& { return values[static_cast<std::size_t>(k)]; };
+  // A large region has hundreds of borders: only those of the other one are visited.
+  const int fewer = of(degree_, a) < of(degree_, b) ? a : b, more = fewer == a ? b : a;
+  touched_.clear();
+  for_each_border_of(fewer, [&](int i) {
+    const int neighbour = neighbour_across(i, fewer);
+    const int other = neighbour == more ? -1 : border_between(neighbour, more);
+    if (other >= 0) extend(border(other), border(i));
+    if (neighbour == more || other >= 0) border(i).length = 0;
+    if (neighbour != more) touched_.push_back(other >= 0 ? other : i);
+  });
+  (of(last_, more) < 0 ? of(first_, more) : of(next_, of(last_, more))) = of(first_, fewer);
+  if (of(last_, fewer) >= 0) of(last_, more) = of(last_, fewer);
+  of(first_, a) = of(first_, more), of(last_, a) = of(last_, more);
+  of(degree_, a) += of(degree_, b);
   sets_.join(a, b);
   Basin& into = basin(a);
   const Basin& from = basin(b);
   into.lowest = std::min(into.lowest, from.lowest);
   into.moments += from.moments;
+  return touched_;
 }
 
 void BasinGraph::write_regions(const BasinLandscape& l, ImageView<std::int32_t> region) {

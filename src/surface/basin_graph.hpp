@@ -58,8 +58,9 @@ struct BasinBorder {
 class BasinGraph {
  public:
   void build(const BasinLandscape& landscape);
-  /// Makes one region of two.
-  void join(int a, int b);
+  /// Makes one region of two. Returns the borders that went from one to the other or grew; valid until the
+  /// next call.
+  std::span<const int> join(int a, int b);
   /// The region that a basin belongs to.
   int find(int i) { return sets_.find(i); }
   /// Calls visit(i) for every border of a region.
@@ -100,14 +101,16 @@ class BasinGraph {
   static BasinBorder border_of(const BasinLandscape& landscape, std::span<const Contact> contacts);
   void list_borders();
   int neighbour_across(int border_index, int region);
+  int border_between(int a, int b);
 
   std::vector<Basin> basins_;
   DisjointSets sets_;
   std::vector<BasinBorder> borders_;
   // The borders of every region as a linked list of their sides: 2 i and 2 i + 1 are those of border i.
-  std::vector<int> first_, last_;    ///< side by region, -1 = none
-  std::vector<int> next_;            ///< side by side, -1 = none
-  std::vector<int> shared_;          ///< while joining: border with the first region by neighbour, -1 = none
+  std::vector<int> first_, last_;  ///< side by region, -1 = none
+  std::vector<int> next_;          ///< side by side, -1 = none
+  std::vector<int> degree_;        ///< by region, at least its number of borders
+  std::vector<int> touched_;
   std::vector<Contact> contacts_;    ///< pairs of neighbours in different basins
   std::vector<std::int32_t> index_;  ///< basin index by raster index of its name
 };

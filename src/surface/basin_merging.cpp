@@ -32,7 +32,8 @@ void BasinMerging::join_shallow_basins(float floor) {
     const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
     if (a == b || pass >= unknown_strength) continue;
     const Basin &l = graph_.basin(a), &r = graph_.basin(b);
-    const bool few = std::min(l.moments.count(), r.moments.count()) <= min_readings * double{noise_.pixels_per_reading};
+    const bool few =
+        std::min(l.moments.count(), r.moments.count()) <= min_readings * double{noise_.pixels_per_reading};
     if (few && pass - std::max(l.lowest, r.lowest) < floor) graph_.join(a, b);
   }
 }
@@ -92,9 +93,17 @@ bool BasinMerging::is_one_patch(int a, int b) const {
 void BasinMerging::join_across(int i) {
   const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
   if (!is_one_patch(a, b)) return;
-  graph_.join(a, b);
+  const std::span<const int> touched = graph_.join(a, b);
   const int region = graph_.find(a);
-  fits_[static_cast<std::size_t>(region)] = fitted(graph_.basin(region).moments);
+  const PatchMoments& moments = graph_.basin(region).moments;
+  fits_[static_cast<std::size_t>(region)] = fitted(moments);
+  double& judged_px = judged_px_[static_cast<std::size_t>(region)];
+  judged_px = std::max(judged_px_[static_cast<std::size_t>(a)], judged_px_[static_cast<std::size_t>(b)]);
+  if (moments.count() < patch_growth * judged_px) {
+    for (const int k : touched) judge(k);
+    return;
+  }
+  judged_px = moments.count();
   graph_.for_each_border_of(region, [this](int k) {
     if (has_changed(k, patch_growth)) judge(k);
   });
@@ -131,6 +140,7 @@ void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& par
   for (int i = 0; i < graph_.basin_count(); ++i)
     if (graph_.find(i) == i) fits_[static_cast<std::size_t>(i)] = fitted(graph_.basin(i).moments);
   judgements_.assign(graph_.borders().size(), {});
+  judged_px_.assign(fits_.size(), 0);
   join_alike(chord_of(params.flat_deg));
   join_alike(unknown_strength);
   region.resize(landscape.basin.size());

@@ -64,6 +64,7 @@ class BasinMerging {
   BasinGraph graph_;
   BorderCompetition competition_;
   std::vector<PatchFit> fits_;         ///< by region
+  std::vector<double> judged_px_;      ///< pixels of a region when all its borders were last looked at
   std::vector<Judgement> judgements_;  ///< by border
   std::vector<Candidate> candidates_;  ///< a heap, least difference first
   std::vector<int> order_;             ///< of borders

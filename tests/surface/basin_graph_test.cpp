@@ -66,7 +66,9 @@ TEST(BasinGraph, JoinedBasinsShareTheirBorders) {
   graph.build(columns.landscape());
   ASSERT_EQ(graph.basin_count(), 4);
   ASSERT_EQ(graph.borders().size(), 4u);
-  graph.join(3, 0);
+  const std::span<const int> touched = graph.join(3, 0);
+  ASSERT_EQ(touched.size(), 1u);
+  EXPECT_EQ(graph.border(touched[0]).length, 6);
   EXPECT_EQ(graph.find(3), 0);
   ASSERT_EQ(borders_of(graph, 0).size(), 1u);
   ASSERT_EQ(borders_of(graph, 1).size(), 2u);
