@@ -21,12 +21,14 @@ namespace {
 
 class CpuPipeline final : public Pipeline {
  public:
-  CpuPipeline(const PipelineParams& params, std::uint64_t seed, int threads)
-      : executor_(threads), body_(executor_, params, seed) {}
+  using History = PipelineBody<CpuExecutor>::History;
 
-  void process(const FrameInput& frame, FrameResult& result) override {
-    check_frame(frame);
-    body_.process(frame, result);
+  CpuPipeline(const PipelineParams& params, std::uint64_t seed, int threads, std::shared_ptr<History> history)
+      : executor_(threads), body_(executor_, params, seed, std::move(history)) {}
+
+  void run(StageRange stages, const FrameInput& frame, FrameResult& result) override {
+    if (stages.contains(all_stages.first)) check_frame(frame);
+    body_.run(stages, frame, result);
   }
   void reset_history() override { body_.reset_history(); }
 
@@ -38,8 +40,17 @@ class CpuPipeline final : public Pipeline {
 }  // namespace
 
 std::unique_ptr<Pipeline> make_cpu_pipeline(const PipelineParams& params, std::uint64_t seed, int threads) {
+  return std::move(make_cpu_pipelines(1, params, seed, threads).front());
+}
+
+std::vector<std::unique_ptr<Pipeline>> make_cpu_pipelines(int count, const PipelineParams& params,
+                                                          std::uint64_t seed, int threads) {
   validate(params);
-  return std::make_unique<CpuPipeline>(params, seed, threads);
+  const auto history = std::make_shared<CpuPipeline::History>();
+  std::vector<std::unique_ptr<Pipeline>> pipelines;
+  for (int i = 0; i < count; ++i)
+    pipelines.push_back(std::make_unique<CpuPipeline>(params, seed, threads, history));
+  return pipelines;
 }
 
 }  // namespace facet

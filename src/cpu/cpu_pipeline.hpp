@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "pipeline/pipeline.hpp"
 
@@ -11,5 +12,10 @@ namespace facet {
 /// `seed` feeds RANSAC. Throws Error{config} where a parameter is out of range.
 std::unique_ptr<Pipeline> make_cpu_pipeline(const PipelineParams& params, std::uint64_t seed,
                                             int threads = 1);
+
+/// `count` of them that take turns with the frames of one sequence: they share its past frames, so that the
+/// first stage of a frame must follow that of the frame before.
+std::vector<std::unique_ptr<Pipeline>> make_cpu_pipelines(int count, const PipelineParams& params,
+                                                          std::uint64_t seed, int threads = 1);
 
 }  // namespace facet

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "pipeline/buffers.hpp"
 #include "pipeline/params.hpp"
 #include "pipeline/result.hpp"
+#include "pipeline/stage_range.hpp"
 #include "stage/basins.hpp"
 #include "stage/edge_distance.hpp"
 #include "stage/hysteresis.hpp"
@@ -29,46 +31,57 @@ namespace facet {
 template <class Executor>
 class PipelineBody {
  public:
-  PipelineBody(Executor& executor, const PipelineParams& params, std::uint64_t seed)
-      : executor_(executor), params_(params), noise_(noise_of(params.sensor)), seed_(seed) {}
+  using History = TemporalHistory<Executor>;
 
-  void process(const FrameInput& frame, FrameResult& result) {
-    camera_ = frame.camera;
-    b_.resize(frame.depth_m.size());
-    restart(result, frame.depth_m.size());
+  /// Bodies that take turns with the frames of one sequence share its `history`.
+  PipelineBody(Executor& executor, const PipelineParams& params, std::uint64_t seed,
+               std::shared_ptr<History> history = std::make_shared<History>())
+      : executor_(executor),
+        params_(params),
+        noise_(noise_of(params.sensor)),
+        seed_(seed),
+        history_(std::move(history)) {}
+
+  /// Takes a frame through some of the stages; all of them must follow each other here, frame by frame.
+  void run(StageRange stages, const FrameInput& frame, FrameResult& result) {
+    const auto stage = [&](StageId id, const auto& work) {
+      if (stages.contains(id))
+        executor_.timed(result.times.stage_ms[static_cast<std::size_t>(index_of(id))], work);
+    };
+    if (stages.contains(StageId::temporal)) restart(frame, result);
     executor_.timed(result.times.total_ms, [&] {
-      take_in(frame.depth_m);
-      timed(result, StageId::temporal, [&] { average_frames(); });
-      timed(result, StageId::fill, [&] {
+      if (stages.contains(StageId::temporal)) take_in(frame.depth_m);
+      stage(StageId::temporal, [&] { average_frames(); });
+      stage(StageId::fill, [&] {
         trim_near_outlines();
         fill_holes(b_.averaged.view());
       });
-      timed(result, StageId::wiener, [&] { filter_noise(); });
-      timed(result, StageId::gradient, [&] { differentiate(); });
-      timed(result, StageId::depth_strength, [&] { rate_depth_edges(); });
-      timed(result, StageId::depth_canny, [&] { trace_depth_edges(); });
-      timed(result, StageId::crease_strength, [&] { rate_creases(); });
-      timed(result, StageId::crease_canny, [&] { trace_creases(); });
-      timed(result, StageId::morphology, [&] { smooth_edges(); });
-      timed(result, StageId::labelling, [&] { label_regions(result); });
-      timed(result, StageId::support, [&] { unite_support(result); });
-      timed(result, StageId::contours, [&] { trace_contours(result); });
-      timed(result, StageId::validation, [&] { validate_surfaces(result); });
-      timed(result, StageId::pose, [&] { estimate_poses(result); });
-      timed(result, StageId::grasps, [&] { find_grasps(result); });
-      timed(result, StageId::objects, [&] { group_objects(result); });
+      stage(StageId::wiener, [&] { filter_noise(); });
+      stage(StageId::gradient, [&] { differentiate(); });
+      stage(StageId::depth_strength, [&] { rate_depth_edges(); });
+      stage(StageId::depth_canny, [&] { trace_depth_edges(); });
+      stage(StageId::crease_strength, [&] { rate_creases(); });
+      stage(StageId::crease_canny, [&] { trace_creases(); });
+      stage(StageId::morphology, [&] { smooth_edges(); });
+      stage(StageId::labelling, [&] { label_regions(result); });
+      stage(StageId::support, [&] { unite_support(result); });
+      stage(StageId::contours, [&] { trace_contours(result); });
+      stage(StageId::validation, [&] { validate_surfaces(result); });
+      stage(StageId::pose, [&] { estimate_poses(result); });
+      stage(StageId::grasps, [&] { find_grasps(result); });
+      stage(StageId::objects, [&] { group_objects(result); });
     });
   }
 
-  void reset_history() { history_.clear(); }
+  void process(const FrameInput& frame, FrameResult& result) { run(all_stages, frame, result); }
+
+  void reset_history() { history_->clear(); }
 
  private:
-  template <class Work>
-  void timed(FrameResult& result, StageId id, const Work& work) {
-    executor_.timed(result.times.stage_ms[static_cast<std::size_t>(index_of(id))], work);
-  }
-
-  void restart(FrameResult& result, Size size) {
+  void restart(const FrameInput& frame, FrameResult& result) {
+    const Size size = frame.depth_m.size();
+    camera_ = frame.camera;
+    b_.resize(size);
     result.labels.resize(size);
     numbered_.resize(size);
     result.edges.resize(size);
@@ -80,14 +93,14 @@ class PipelineBody {
 
   void take_in(ImageView<const float> depth_m) {
     if (params_.temporal.enabled)
-      history_.push(executor_, depth_m, params_.temporal.frames);
+      history_->push(executor_, depth_m, params_.temporal.frames);
     else
       executor_.upload(depth_m, b_.averaged.view());
   }
 
   void average_frames() {  // section 3.4.2, eq. 3
     if (!params_.temporal.enabled) return;
-    temporal_average(executor_, params_.temporal, noise_, history_, b_.averaged.view());
+    temporal_average(executor_, params_.temporal, noise_, *history_, b_.averaged.view());
   }
 
   void trim_near_outlines() {
@@ -281,9 +294,9 @@ class PipelineBody {
   PipelineParams params_;
   DepthNoise noise_;
   std::uint64_t seed_;
+  std::shared_ptr<History> history_;
   Camera camera_;
   Buffers<Executor> b_;
-  TemporalHistory<Executor> history_;
   Image<std::int32_t> regions_;
   Image<std::uint16_t> numbered_;  ///< regions before edge pixels are given back
   BasinMerging merging_;

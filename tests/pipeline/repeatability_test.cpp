@@ -80,6 +80,24 @@ TEST(Repeatability, AResultThatIsUsedAgainHoldsNothingOfTheFrameBefore) {
   }
 }
 
+TEST(Repeatability, PipelinesThatTakeTurnsAndRunInPartsGiveWhatOneGivesAtOnce) {
+  for (const Mode& mode : modes) {
+    const auto alone = make_cpu_pipeline(mode.params, 1);
+    const auto turns = make_cpu_pipelines(2, mode.params, 1);
+    FrameResult expected, results[2];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Image<float> depth = small_measured_scene(1, size, camera, i);
+      const FrameInput frame{depth.view(), camera};
+      alone->process(frame, expected);
+      for (const StageRange part : {StageRange{StageId::temporal, StageId::wiener},
+                                    {StageId::gradient, StageId::validation},
+                                    {StageId::pose, StageId::objects}})
+        turns[i % 2]->run(part, frame, results[i % 2]);
+      expect_equal_results(expected, results[i % 2], mode.name);
+    }
+  }
+}
+
 TEST(Repeatability, TheSeedChangesPosesALittleAndNothingElse) {
   const Image<float> depth = small_measured_scene(1, size, camera, 1);
   const FrameResult a = still(*make_cpu_pipeline({}, 1), depth), b = still(*make_cpu_pipeline({}, 2), depth);
