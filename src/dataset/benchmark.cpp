@@ -122,7 +122,11 @@ class BenchmarkDataset : public ListedDataset {
     const FrameFiles files{folder / "depth" / png, folder / "color" / png,
                            folder / "truth" / (planned.id + ".objects.png")};
     Frame frame = load_frame(frame_id(index), files, {.unit_m = depth_unit_m}, part.set.sensor.camera());
-    frame.timestamp_s = planned.frame / frames_per_second;
+    if (is_sequence()) {
+      const PlannedPose pose = planned_pose(part.set, planned);
+      frame.timestamp_s = pose.timestamp_s;
+      frame.T_world_camera = pose.T_world_camera;
+    }
     return frame;
   }
 
@@ -133,8 +137,6 @@ class BenchmarkDataset : public ListedDataset {
   }
 
  private:
-  static constexpr double frames_per_second = 30;
-
   std::pair<const BenchmarkPart&, const PlannedFrame&> planned_at(std::size_t index) const {
     const std::string id = frame_id(index);
     const auto found = std::find_if(frames_.begin(), frames_.end(),

@@ -9,6 +9,7 @@
 
 #include "core/camera.hpp"
 #include "core/image.hpp"
+#include "core/rigid_motion.hpp"
 #include "core/sensor.hpp"
 #include "truth/frame_annotation.hpp"
 
@@ -20,10 +21,11 @@ struct Frame {
   Image<float> depth_m;  ///< metres along the optical axis, 0 = missing
   cv::Mat color;         ///< 8-bit BGR; empty where there is none or where it does not fit the depth image
   Camera camera;
-  double timestamp_s = 0;                    ///< only meaningful in a sequence
-  std::optional<cv::Mat> object_masks;       ///< CV_16U, 0 = none; where the data set has them
-  std::size_t missing_px = 0;                ///< pixels without depth after reading
-  std::vector<std::filesystem::path> files;  ///< everything that was read, for the data lock
+  std::optional<double> timestamp_s;          ///< of a sequence, where it is known
+  std::optional<RigidMotion> T_world_camera;  ///< where the data set knows it
+  std::optional<cv::Mat> object_masks;        ///< CV_16U, 0 = none; where the data set has them
+  std::size_t missing_px = 0;                 ///< pixels without depth after reading
+  std::vector<std::filesystem::path> files;   ///< everything that was read, for the data lock
 };
 
 /// What a data set varies, and its value in one frame: "noise", 0.5.
@@ -45,7 +47,8 @@ class Dataset {
   virtual std::filesystem::path folder() const { return {}; }
   virtual std::size_t size() const = 0;
   virtual std::string frame_id(std::size_t index) const = 0;
-  /// What its description asks for and is not there: frames outside the sensor's range and the like.
+  /// What its description asks for and is not there: frames outside the sensor's range, entries of a list
+  /// whose file is missing and the like.
   virtual std::vector<std::string> absent() const { return {}; }
   /// What a frame that was loaded lacks of what was asked for: "17 of 20 objects found room"; else empty.
   virtual std::string shortfall(std::size_t) const { return {}; }

@@ -88,6 +88,10 @@ FolderLayout folder_layout(const ReaderOptions& options, const std::filesystem::
   layout.format.missing_codes = numbers_option(options, "missing_codes").value_or(std::vector<double>{});
   layout.registered = flag_option(options, "registered").value_or(layout.registered);
   layout.sequence = flag_option(options, "sequence").value_or(layout.sequence);
+  layout.rate_hz = number_option(options, "rate_hz");
+  if (layout.rate_hz && (!layout.sequence || *layout.rate_hz <= 0))
+    throw Error(ErrorKind::config,
+                printable(root) + ": option rate_hz: expected a positive number, with sequence: true");
   if (const auto sensor = text_option(options, "sensor")) layout.sensor = parse_sensor(*sensor);
   return layout;
 }

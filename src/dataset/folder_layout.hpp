@@ -17,8 +17,9 @@ struct FolderLayout {
   std::optional<FramePattern> color = std::nullopt;
   DepthFormat format{};
   Camera camera{};
-  bool registered = false;  ///< colour was taken through, or mapped to, the depth camera
-  bool sequence = false;    ///< frames are consecutive in time
+  bool registered = false;                       ///< colour was taken through, or mapped to, the depth camera
+  bool sequence = false;                         ///< frames are consecutive in time
+  std::optional<double> rate_hz = std::nullopt;  ///< of a sequence whose frames are numbered
   Sensor sensor = Sensor::automatic;
 };
 

@@ -1,9 +1,9 @@
 #include "dataset/reader_options.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "dataset/text_table.hpp"
 
 namespace facet {
 namespace {
@@ -16,10 +16,7 @@ namespace {
 std::optional<double> parse_number(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  return finite_number(text);
 }
 
 void check_type(const ReaderOptions& options, const OptionInfo& option) {

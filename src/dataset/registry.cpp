@@ -4,15 +4,18 @@
 
 #include "core/error.hpp"
 #include "dataset/benchmark.hpp"
+#include "dataset/benchmark_place.hpp"
 #include "dataset/folder.hpp"
 #include "dataset/osd.hpp"
 #include "dataset/osd_inventory.hpp"
+#include "dataset/seven_scenes.hpp"
 #include "dataset/synthetic.hpp"
+#include "dataset/tum.hpp"
 
 namespace facet {
 
 std::span<const ReaderInfo> readers() {
-  static const std::array<ReaderInfo, 4> table{{
+  static const std::array<ReaderInfo, 6> table{{
       {"osd", "Object Segmentation Database 0.2 (TU Wien): Kinect v1, table-top clutter", osd_options(), true,
        open_osd, inspect_osd},
       {"folder", "depth images (and colour) in one folder, described by dataset.yaml or by options",
@@ -21,7 +24,11 @@ std::span<const ReaderInfo> readers() {
        synthetic_options(), false, open_synthetic, nullptr},
       {"benchmark",
        "a synthetic benchmark with truth: its spec (rendered when read) or a folder written from it",
-       benchmark_options(), true, open_benchmark, inspect_benchmark},
+       benchmark_options(), true, open_benchmark, inspect_benchmark, is_benchmark},
+      {"tum", "a sequence of the TUM RGB-D benchmark: depth.txt, rgb.txt, groundtruth.txt", tum_options(),
+       true, open_tum, nullptr, is_tum},
+      {"seven_scenes", "a sequence of 7-Scenes: frame-NUMBER.depth.png and .pose.txt", seven_scenes_options(),
+       true, open_seven_scenes, nullptr, is_seven_scenes},
   }};
   return table;
 }

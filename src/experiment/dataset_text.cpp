@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
-#include "dataset/benchmark_place.hpp"
 #include "experiment/experiment_reader.hpp"
 #include "file/file_bytes.hpp"
 
@@ -31,6 +30,13 @@ DatasetSpec with_shipped_annotations(DatasetSpec spec) {
   return spec;
 }
 
+/// The reader whose layout a path has.
+std::string reader_of(const std::filesystem::path& path) {
+  for (const ReaderInfo& reader : readers())
+    if (reader.recognises != nullptr && reader.recognises(path)) return std::string(reader.name);
+  return "folder";
+}
+
 }  // namespace
 
 DatasetSpec dataset_called(const std::string& name_or_folder) {
@@ -38,13 +44,13 @@ DatasetSpec dataset_called(const std::string& name_or_folder) {
   for (const ReaderInfo& reader : readers()) names.emplace_back(reader.name);
   if (std::find(names.begin(), names.end(), name_or_folder) != names.end())
     return with_shipped_annotations(named_dataset(name_or_folder));
-  const bool benchmark = is_benchmark(name_or_folder);
-  if (!benchmark && !std::filesystem::is_directory(name_or_folder))
+  const std::string reader = reader_of(name_or_folder);
+  if (reader == "folder" && !std::filesystem::is_directory(name_or_folder))
     throw Error(ErrorKind::data,
                 fmt::format("{}: neither one of the data sets {} nor a folder, nor the spec of a benchmark",
                             name_or_folder, fmt::join(names, ", ")));
   DatasetSpec spec;
-  spec.reader = benchmark ? "benchmark" : "folder";
+  spec.reader = reader;
   spec.root = name_or_folder;
   spec.name = std::filesystem::weakly_canonical(spec.root).stem().string();
   return spec;
@@ -54,6 +60,7 @@ std::string describe_dataset(const DatasetSpec& spec, const Dataset& data) {
   std::string text = heading(spec, data.description());
   text += fmt::format("sensor  {}\nframes  {}{}\n", enum_name(data.sensor()), data.size(),
                       data.is_sequence() ? ", one sequence" : "");
+  for (const std::string& gap : data.absent()) text += fmt::format("note    {}\n", escaped_utf8(gap));
   if (!spec.root.empty())
     text += fmt::format("entry   {{name: {}, reader: {}, root: {}}}\n", spec.name, spec.reader,
                         printable(spec.root));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synth/vec3d.hpp"
+#include "core/rigid_motion.hpp"
 
 namespace facet {
 

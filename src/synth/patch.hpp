@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "synth/vec3d.hpp"
+#include "core/rigid_motion.hpp"
 
 namespace facet {
 

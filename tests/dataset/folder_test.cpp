@@ -97,6 +97,21 @@ TEST_F(FolderReader, names_unit_and_intrinsics_that_cannot_be_right) {
   expect_load_error("a.png: intrinsics cannot be right");
 }
 
+TEST_F(FolderReader, numbered_frames_of_a_known_rate_have_times) {
+  write_yaml(minimal_ + "sequence: true\nrate_hz: 10\n");
+  for (const char* name : {"5.png", "6.png", "8.png"}) folder_.write_depth(name, 1000);
+  const auto data = open();
+  EXPECT_TRUE(data->is_sequence());
+  EXPECT_DOUBLE_EQ(*data->load(2).timestamp_s, 0.8);
+  EXPECT_EQ(data->absent(), std::vector<std::string>{"1 of 4 frames absent, by their numbers"});
+}
+
+TEST_F(FolderReader, refuses_a_rate_of_what_is_no_sequence) {
+  write_yaml(minimal_ + "rate_hz: 10\n");
+  folder_.write_depth("5.png", 1000);
+  expect_error(ErrorKind::config, "rate_hz", [&] { open(); });
+}
+
 TEST_F(FolderReader, reads_a_frame_of_one_pixel) {
   folder_.write_depth("a.png", 1000, 1, 1);
   write_yaml(minimal_);

@@ -28,18 +28,18 @@ TEST(RealData, osd_frames_are_the_ones_we_know) {
   EXPECT_LT(report.missing_share, 0.4);
 }
 
-TEST(RealData, a_sequence_of_7_scenes_reads_with_its_code_for_missing_depth) {
+TEST(RealData, a_sequence_of_7_scenes_reads_with_its_poses) {
   FACET_REQUIRE_DATA("seven_scenes");
-  const auto spec = spec_of("folder", "seven_scenes",
-                            {{"depth", "frame-{id}.depth.png"},
-                             {"depth_unit_m", "0.001"},
-                             {"intrinsics", "585,585,320,240"},
-                             {"missing_codes", "65535"},
-                             {"sequence", "true"}});
+  const DatasetSpec spec = spec_of("seven_scenes", "seven_scenes");
   const DatasetReport report = verify_dataset(spec);
   EXPECT_TRUE(report.is_whole()) << report.problems[0].message;
   EXPECT_EQ(report.frames, 40u);
   EXPECT_LT(report.farthest_m, 20);
+  const auto data = open_dataset(spec);
+  EXPECT_TRUE(data->absent().empty());
+  const Frame first = data->load(0), last = data->load(39);
+  EXPECT_DOUBLE_EQ(*last.timestamp_s - *first.timestamp_s, 1.3);
+  EXPECT_LT(norm(last.T_world_camera->origin - first.T_world_camera->origin), 1);
 }
 
 TEST(RealData, a_full_hd_frame_of_an_azure_kinect_reads_without_colour) {
@@ -67,17 +67,22 @@ TEST(RealData, table_top_frames_read_with_registered_colour) {
   EXPECT_EQ(report.with_color, 4u);
 }
 
-TEST(RealData, tum_depth_reads_in_units_of_a_fifth_of_a_millimetre) {
+TEST(RealData, a_tum_sequence_reads_with_colours_and_poses) {
   FACET_REQUIRE_DATA("tum_fr1_rpy");
-  const auto spec = spec_of("folder", "tum_fr1_rpy",
-                            {{"depth", "depth/{id}.png"},
-                             {"depth_unit_m", "0.0002"},
-                             {"intrinsics", "517.3,516.5,318.6,255.3"},
-                             {"sequence", "true"}});
+  const DatasetSpec spec = spec_of("tum", "tum_fr1_rpy", {{"intrinsics", "517.3,516.5,318.6,255.3"}});
   const DatasetReport report = verify_dataset(spec);
   EXPECT_TRUE(report.is_whole());
   EXPECT_EQ(report.frames, 40u);
+  EXPECT_EQ(report.with_color, 40u);
   EXPECT_LT(report.farthest_m, 13);
+  const auto data = open_dataset(spec);
+  double before_s = 0;
+  for (std::size_t i = 0; i < data->size(); ++i) {
+    const Frame frame = data->load(i);
+    EXPECT_GT(*frame.timestamp_s, before_s);
+    EXPECT_TRUE(frame.T_world_camera) << frame.id;
+    before_s = *frame.timestamp_s;
+  }
 }
 
 }  // namespace
