@@ -1,5 +1,7 @@
 #include "dataset/numbered_frames.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -44,6 +46,19 @@ NumberedFrames number_frames(const std::vector<std::string>& ids, double rate_hz
                              std::to_string(static_cast<long long>(span)) +
                              " frames absent, by their numbers");
   return result;
+}
+
+std::size_t frames_lost(const std::vector<double>& times_s) {
+  std::vector<double> distances_s;
+  for (std::size_t i = 1; i < times_s.size(); ++i) distances_s.push_back(times_s[i] - times_s[i - 1]);
+  if (distances_s.empty()) return 0;
+  std::vector<double> sorted = distances_s;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  if (*middle <= 0) return 0;
+  double lost = 0;
+  for (const double distance_s : distances_s) lost += std::max(0.0, std::round(distance_s / *middle) - 1);
+  return static_cast<std::size_t>(std::min(lost, 1e9));
 }
 
 }  // namespace facet

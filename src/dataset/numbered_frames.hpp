@@ -22,4 +22,8 @@ struct NumberedFrames {
 /// those whose number another name has, are left out.
 NumberedFrames number_frames(const std::vector<std::string>& ids, double rate_hz);
 
+/// How many frames a recording has lost by the gaps between its times, which ascend; their usual distance is
+/// the median.
+std::size_t frames_lost(const std::vector<double>& times_s);
+
 }  // namespace facet

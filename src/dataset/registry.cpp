@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/error.hpp"
+#include "dataset/azure_mkv.hpp"
 #include "dataset/benchmark.hpp"
 #include "dataset/benchmark_place.hpp"
 #include "dataset/folder.hpp"
@@ -15,7 +16,7 @@
 namespace facet {
 
 std::span<const ReaderInfo> readers() {
-  static const std::array<ReaderInfo, 6> table{{
+  static const std::array<ReaderInfo, 7> table{{
       {"osd", "Object Segmentation Database 0.2 (TU Wien): Kinect v1, table-top clutter", osd_options(), true,
        open_osd, inspect_osd},
       {"folder", "depth images (and colour) in one folder, described by dataset.yaml or by options",
@@ -29,6 +30,8 @@ std::span<const ReaderInfo> readers() {
        true, open_tum, nullptr, is_tum},
       {"seven_scenes", "a sequence of 7-Scenes: frame-NUMBER.depth.png and .pose.txt", seven_scenes_options(),
        true, open_seven_scenes, nullptr, is_seven_scenes},
+      {"azure_mkv", "an .mkv that the Azure Kinect's recorder wrote: its depth track", azure_mkv_options(),
+       true, open_azure_mkv, nullptr, is_mkv},
   }};
   return table;
 }

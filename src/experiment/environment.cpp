@@ -11,6 +11,7 @@
 #include <tbb/version.h>
 #include <thread>
 
+#include "dataset/mkv_depth_track.hpp"
 #include "experiment/build_info.hpp"
 #include "file/file_bytes.hpp"
 
@@ -88,7 +89,8 @@ Json libraries() {
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
           {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                         NLOHMANN_JSON_VERSION_PATCH)},
-          {"openssl", OpenSSL_version(OPENSSL_VERSION)}};
+          {"openssl", OpenSSL_version(OPENSSL_VERSION)},
+          {"libavformat", known_or_reason(libavformat_version(), "built without it: .mkv cannot be read")}};
 }
 
 }  // namespace

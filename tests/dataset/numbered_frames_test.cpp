@@ -26,5 +26,12 @@ TEST(NumberedFrames, may_be_none) {
   EXPECT_TRUE(number_frames({}, 30).remarks.empty());
 }
 
+TEST(NumberedFrames, are_lost_where_times_leave_gaps) {
+  EXPECT_EQ(frames_lost({0, 0.033, 0.067, 0.1, 0.2, 0.233}), 2u);
+  EXPECT_EQ(frames_lost({0, 0.034, 0.066, 0.1}), 0u);
+  EXPECT_EQ(frames_lost({5}), 0u);
+  EXPECT_EQ(frames_lost({}), 0u);
+}
+
 }  // namespace
 }  // namespace facet
