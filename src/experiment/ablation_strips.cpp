@@ -6,6 +6,7 @@
 
 #include "experiment/run_directory.hpp"
 #include "file/image_file.hpp"
+#include "file/portable_name.hpp"
 #include "overlay/strip.hpp"
 #include "prediction/prediction_io.hpp"
 #include "study/design_names.hpp"

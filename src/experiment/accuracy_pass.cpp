@@ -61,7 +61,29 @@ void AccuracyPass::restore_finished() {
   directory_.publish("frames.jsonl", lines);
 }
 
+MethodContext AccuracyPass::context_of(const Unit& unit) const {
+  const PlannedDataset& planned = plan_.datasets[unit.dataset];
+  return {planned.data->sensor(), static_cast<std::uint64_t>(experiment_.seed), 1,
+          directory_.path() / "programs" / experiment_.methods[unit.method].name / planned.spec.name};
+}
+
+/// What has to be done once per method and data set.
+void AccuracyPass::prepare_methods() const {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Unit>> groups;
+  for (const Unit& unit : plan_.units) groups[{unit.method, unit.dataset}].push_back(unit);
+  for (const auto& [key, units] : groups) {
+    const MethodSpec& spec = experiment_.methods[key.first];
+    const auto prepare = find_method_kind(spec).prepare;
+    if (prepare == nullptr) continue;
+    MethodFrames asked{*plan_.datasets[key.second].data, {}};
+    for (const Unit& unit : units)
+      asked.frames.insert(asked.frames.end(), unit.frames.begin(), unit.frames.end());
+    prepare(spec, asked, context_of(units.front()));
+  }
+}
+
 std::vector<FrameRow> AccuracyPass::run() {
+  prepare_methods();
   tbb::task_arena arena(options_.jobs);
   arena.execute([&] {
     tbb::enumerable_thread_specific<ThreadMethods> methods;
@@ -71,10 +93,7 @@ std::vector<FrameRow> AccuracyPass::run() {
           for (std::size_t i = range.begin(); i < range.end() && !should_stop(); ++i) {
             const Unit& unit = plan_.units[i];
             auto& method = methods.local()[{unit.method, unit.dataset}];
-            if (!method)
-              method = make_method(experiment_.methods[unit.method],
-                                   {plan_.datasets[unit.dataset].data->sensor(),
-                                    static_cast<std::uint64_t>(experiment_.seed), 1});
+            if (!method) method = make_method(experiment_.methods[unit.method], context_of(unit));
             // Isolated: while a method waits for threads of its own, this one must not begin another unit
             // with it.
             tbb::this_task_arena::isolate([&] { run_unit(unit, *method); });

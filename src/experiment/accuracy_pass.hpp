@@ -9,6 +9,7 @@
 #include "experiment/frame_work.hpp"
 #include "experiment/run_directory.hpp"
 #include "experiment/run_observer.hpp"
+#include "method/registry.hpp"
 
 namespace facet {
 
@@ -29,6 +30,8 @@ class AccuracyPass {
 
  private:
   void restore_finished();
+  void prepare_methods() const;
+  MethodContext context_of(const Unit& unit) const;
   void run_unit(const Unit& unit, Method& method);
   void add_row(const FrameRow& row, bool finished_before);
   bool should_stop() const { return stop_signal_ != 0 || failed_fast_; }

@@ -109,13 +109,20 @@ void set_in_list(ConfigValue& list, const std::string& section, const std::strin
                fmt::format("the name of one of the {}", section), nearest_name(name, names));
 }
 
+/// A parameter by itself is one of the pipeline; others are named with their method.
+bool is_pipeline(const ConfigValue& method) {
+  const ConfigEntry* kind = method.find("kind");
+  return kind == nullptr || kind->value.scalar == "pipeline";
+}
+
 void apply(ConfigValue& experiment, const Override& change, ConfigErrors& errors) {
   const auto [section, rest] = split_first(change.path);
   const bool in_experiment =
       std::find(experiment_keys.begin(), experiment_keys.end(), section) != experiment_keys.end();
   if (!in_experiment) {
     for (ConfigValue& method : experiment.find("methods")->value.items)
-      if (method.is_map()) set_dotted(child_map(method, "params", change.origin), change.path, change);
+      if (method.is_map() && is_pipeline(method))
+        set_dotted(child_map(method, "params", change.origin), change.path, change);
   } else if ((section == "methods" || section == "datasets") && !rest.empty()) {
     set_in_list(experiment.find(section)->value, section, rest, change, errors);
   } else if (section == "sweep" && !rest.empty()) {

@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "experiment/experiment_fields.hpp"
+#include "method/method_fields.hpp"
+#include "method/registry.hpp"
 
 namespace facet {
 namespace {
@@ -20,7 +22,10 @@ std::string quote(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
+    if (c == '\n')
+      quoted += "\\n";
+    else
+      quoted += c;
   }
   return quoted + '"';
 }
@@ -69,10 +74,9 @@ class ConfigWriter {
     line(4, "kind", spec.kind, path + ".kind", "a name of `facet list methods`", "what runs");
     if (!spec.folder.empty())
       line(4, "folder", quote(spec.folder.string()), path + ".folder", "a folder",
-           "where its predictions are");
-    if (spec.kind != "pipeline") return;
+           find_method_kind(spec).folder);
     raw("    params:");
-    visit_fields(spec.params, fields(6, path + ".params"));
+    visit_method_fields(spec, fields(6, path + ".params"));
   }
   std::string take() { return std::move(text_); }
 

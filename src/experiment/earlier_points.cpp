@@ -7,6 +7,7 @@
 #include "dataset/checksum.hpp"
 #include "experiment/config_writer.hpp"
 #include "experiment/study_expansion.hpp"
+#include "file/portable_name.hpp"
 #include "prediction/prediction_io.hpp"
 
 namespace facet {

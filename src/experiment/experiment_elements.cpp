@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "experiment/experiment_reader.hpp"
+#include "method/method_fields.hpp"
 #include "method/registry.hpp"
 
 namespace facet {
@@ -116,6 +117,19 @@ void read_reader_options(SectionReader& reader, const ReaderInfo& info, DatasetS
   }
 }
 
+/// A program without a folder of its own runs beside the file that names it.
+void read_method_folder(SectionReader& reader, const ConfigValue& method, MethodSpec& spec) {
+  if (const ConfigValue* folder = reader.take("folder")) {
+    spec.folder = resolve_root(*folder);
+    if (spec.kind != "predictions" && spec.kind != "external")
+      reader.reject(*folder, "folder", "nothing: only kinds predictions and external have a folder");
+  } else if (spec.kind == "predictions") {
+    reader.reject(method, "folder", "a folder of predictions");
+  } else if (spec.kind == "external" && method.origin.line > 0) {
+    spec.folder = std::filesystem::path(method.origin.source).parent_path() / ".";
+  }
+}
+
 }  // namespace
 
 DatasetSpec named_dataset(const std::string& name) {
@@ -173,16 +187,10 @@ MethodSpec read_method(const ConfigValue& value, const std::string& where, Confi
       reader.reject(*kind, "kind", fmt::format("one of {}", fmt::join(known, ", ")),
                     nearest_name(spec.kind, known));
   }
-  if (const ConfigValue* folder = reader.take("folder")) {
-    spec.folder = resolve_root(*folder);
-    if (spec.kind != "predictions")
-      reader.reject(*folder, "folder", "nothing: only kind predictions has a folder");
-  } else if (spec.kind == "predictions") {
-    reader.reject(value, "folder", "a folder of predictions");
-  }
+  read_method_folder(reader, value, spec);
   if (const ConfigValue* params = reader.take("params")) {
     SectionReader fields(*params, where + ".params", errors, origins);
-    visit_fields(spec.params, fields);
+    visit_method_fields(spec, fields);
     fields.finish();
     try {
       validate(spec.params);

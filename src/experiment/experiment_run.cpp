@@ -170,9 +170,17 @@ void ExperimentRun::publish_gallery() {
   directory_.publish("gallery/gallery.json", to_json(entries));
 }
 
+/// Programs are timed whether or not there is a timing pass.
+void ExperimentRun::publish_program_times(const AccuracyPass& pass) {
+  std::vector<IoTime> times = pass.work().io_times();
+  std::erase_if(times, [](const IoTime& t) { return t.what != "program"; });
+  if (!times.empty()) directory_.publish("timing/io.csv", to_csv(times));
+}
+
 void ExperimentRun::time_methods(const AccuracyPass& pass) {
   const bool timed_before = std::filesystem::exists(directory_.path() / "timing/samples.csv");
-  if (experiment_.timing.repeats == 0 || (timed_before && pass.new_rows() == 0)) return;
+  if (experiment_.timing.repeats == 0) return publish_program_times(pass);
+  if (timed_before && pass.new_rows() == 0) return;
   FrameKeys keys;
   for (const FrameRow& row : rows_)
     if (row.status == FrameStatus::ok) keys.insert({row.dataset, row.frame, row.method});
@@ -185,7 +193,7 @@ void ExperimentRun::time_methods(const AccuracyPass& pass) {
                                adopted_.timing.samples.end());
   std::vector<IoTime> io_times = std::move(timings.io_times);
   io_times.insert(io_times.end(), adopted_.io_times.begin(), adopted_.io_times.end());
-  io_times.insert(io_times.end(), pass.work().write_times().begin(), pass.work().write_times().end());
+  io_times.insert(io_times.end(), pass.work().io_times().begin(), pass.work().io_times().end());
   directory_.publish("timing/calibration.json", to_json(calibration));
   directory_.publish("timing/io.csv", to_csv(io_times));
   directory_.publish("timing/stages.csv", stages_csv(summarize_timing(timings.table)));

@@ -5,6 +5,8 @@
 #include "experiment/dataset_truth.hpp"
 #include "experiment/run_directory.hpp"
 #include "file/file_bytes.hpp"
+#include "file/portable_name.hpp"
+#include "method/registry.hpp"
 #include "overlay/overlay.hpp"
 #include "prediction/prediction_io.hpp"
 #include "score/frame_score.hpp"
@@ -89,6 +91,7 @@ std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t inde
     StageTimes times;
     method.process(frame, prediction, times);
     if (finished) return {done->second, true};
+    note_program_time(unit, row, times);
     if (truth) row.score = score_frame(*truth, prediction, predicted_parts(unit, prediction));
   } catch (const std::exception& e) {
     row.reason = escaped_utf8(e.what());
@@ -111,12 +114,18 @@ std::optional<FrameTruth> FrameWork::truth_of(const Dataset& data, std::size_t i
   return read_truth(data, index, frame, row.truth_source);
 }
 
-/// The pipeline says what it yields by its parameters; of other methods the prediction shows it.
+/// What a method declares, or else what its prediction shows.
 PredictedParts FrameWork::predicted_parts(const Unit& unit, const Prediction& prediction) const {
   const MethodSpec& spec = experiment_.methods[unit.method];
-  if (spec.kind != "pipeline") return parts_of(prediction);
-  const bool poses = spec.params.pose.enabled;
-  return {.edges = true, .poses = poses, .grasps = poses && spec.params.grasp.enabled};
+  const std::optional<PredictedParts> declared = find_method_kind(spec).yields(spec);
+  return declared ? *declared : parts_of(prediction);
+}
+
+/// Times of methods that run elsewhere are taken here, once, and stand apart from those of the timing pass.
+void FrameWork::note_program_time(const Unit& unit, const FrameRow& row, const StageTimes& times) {
+  if (find_method_kind(experiment_.methods[unit.method]).computes_here || times.total_ms <= 0) return;
+  const std::lock_guard lock(mutex_);
+  io_times_.push_back({row.dataset, row.frame, row.method, "program", times.total_ms});
 }
 
 void FrameWork::write_outputs(Frame& frame, const Prediction& prediction, FrameRow& row) {
@@ -130,7 +139,7 @@ void FrameWork::write_outputs(Frame& frame, const Prediction& prediction, FrameR
     row.pictures = {("overlays" / place / (frame.id + ".png")).generic_string()};
   });
   const std::lock_guard lock(mutex_);
-  write_times_.push_back({row.dataset, row.frame, row.method, "write", ms});
+  io_times_.push_back({row.dataset, row.frame, row.method, "write", ms});
 }
 
 }  // namespace facet

@@ -42,8 +42,8 @@ class FrameWork {
 
   const DataLock& data_lock() const { return data_lock_; }
   DataLock& data_lock() { return data_lock_; }
-  /// Times of writing, in no particular order.
-  const std::vector<IoTime>& write_times() const { return write_times_; }
+  /// Times of writing and of programs, in no particular order.
+  const std::vector<IoTime>& io_times() const { return io_times_; }
 
  private:
   using Key = std::tuple<std::string, std::string, std::string>;
@@ -52,6 +52,7 @@ class FrameWork {
   std::optional<FrameTruth> truth_of(const Dataset& data, std::size_t index, Frame& frame,
                                      FrameRow& row) const;
   PredictedParts predicted_parts(const Unit& unit, const Prediction& prediction) const;
+  void note_program_time(const Unit& unit, const FrameRow& row, const StageTimes& times);
   void write_outputs(Frame& frame, const Prediction& prediction, FrameRow& row);
 
   const Experiment& experiment_;
@@ -61,7 +62,7 @@ class FrameWork {
   std::map<Key, FrameRow> finished_;
   DataLock data_lock_;
   std::mutex mutex_;
-  std::vector<IoTime> write_times_;
+  std::vector<IoTime> io_times_;
 };
 
 /// Milliseconds that a call takes.

@@ -9,6 +9,7 @@
 #include "experiment/study_expansion.hpp"
 #include "file/file_bytes.hpp"
 #include "file/image_file.hpp"
+#include "file/portable_name.hpp"
 #include "method/registry.hpp"
 #include "overlay/overlay.hpp"
 #include "record/run_record.hpp"

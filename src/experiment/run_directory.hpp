@@ -49,11 +49,6 @@ class RunDirectory {
   std::shared_ptr<const int> lock_;  ///< held until the last copy is gone, or the process
 };
 
-/// A name that is safe as one part of a path on any file system and different for different ids: letters,
-/// digits,
-/// '_', '-' and inner '.' stay, any other byte becomes %XX.
-std::string portable_name(std::string_view id);
-
 /// Now, as 2024-05-31T12:00:00Z; `compact` for names of folders, 20240531T120000Z.
 std::string utc_now(bool compact = false);
 

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "experiment/experiment_run.hpp"
+#include "method/registry.hpp"
 
 namespace facet {
 
@@ -13,6 +14,8 @@ Plan check_experiment(const Experiment& experiment, const RunOptions& options) {
   if (options.backend == "cuda")
     throw Error(ErrorKind::not_measured,
                 "--backend cuda: this binary was built without CUDA; use cpu or auto");
+  // What is wrong with a method is said before anything is computed.
+  for (const MethodSpec& spec : experiment.methods) make_method(spec, {});
   return make_plan(experiment, options);
 }
 

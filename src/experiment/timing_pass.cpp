@@ -48,7 +48,8 @@ class MethodTimer {
     sample.surfaces = static_cast<int>(prediction_.surfaces.size());
     for (const Surface& surface : prediction_.surfaces) sample.posed += surface.pose.has_value();
     sample.total_ms = times.total_ms;
-    sample.stage_ms.assign(times.stage_ms.begin(), times.stage_ms.end());
+    if (find_method_kind(spec_).has_stages)
+      sample.stage_ms.assign(times.stage_ms.begin(), times.stage_ms.end());
     timings_.table.samples.push_back(std::move(sample));
     first_ = false;
   }

@@ -20,6 +20,7 @@ class PipelineMethod final : public Method {
     std::swap(prediction.surfaces, result_.surfaces);
     std::swap(prediction.rejected, result_.rejected);
     std::swap(prediction.note, result_.note);
+    prediction.grasps.clear();
   }
   void reset_history() override { pipeline_->reset_history(); }
 
@@ -34,6 +35,11 @@ PipelineParams with_sensor(PipelineParams params, Sensor dataset_sensor) {
   if (params.sensor == Sensor::automatic) params.sensor = dataset_sensor;
   if (params.sensor == Sensor::automatic) params.sensor = Sensor::kinect_v1;
   return params;
+}
+
+std::optional<PredictedParts> yields_of_pipeline(const MethodSpec& spec) {
+  const bool poses = spec.params.pose.enabled;
+  return PredictedParts{.edges = true, .poses = poses, .grasps = poses && spec.params.grasp.enabled};
 }
 
 std::unique_ptr<Method> wrap_pipeline(std::unique_ptr<Pipeline> pipeline) {

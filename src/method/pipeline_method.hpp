@@ -10,6 +10,9 @@ namespace facet {
 /// The pipeline on the CPU, with the sensor of the data set where the parameters say `auto`.
 std::unique_ptr<Method> make_pipeline_method(const MethodSpec& spec, const MethodContext& context);
 
+/// Edges always; poses and grasps unless the parameters switch them off.
+std::optional<PredictedParts> yields_of_pipeline(const MethodSpec& spec);
+
 /// Any pipeline as a method.
 std::unique_ptr<Method> wrap_pipeline(std::unique_ptr<Pipeline> pipeline);
 

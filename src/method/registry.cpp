@@ -4,18 +4,46 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "method/external.hpp"
 #include "method/pipeline_method.hpp"
 #include "method/stored_predictions.hpp"
 
 namespace facet {
+namespace {
+
+std::optional<PredictedParts> shown_by_predictions(const MethodSpec&) {
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::span<const MethodKind> method_kinds() {
-  static constexpr std::array<MethodKind, 2> table{{
-      {"pipeline", "the edge-based surface segmentation pipeline, in any of its modes", true,
-       make_pipeline_method},
-      {"predictions", "what any program has written into `folder`, in the format of the predictions", false,
-       make_stored_predictions},
-  }};
+  static constexpr std::array table{
+      MethodKind{.name = "pipeline",
+                 .doc = "the edge-based surface segmentation pipeline, in any of its modes",
+                 .source = "Roberts, Jabalameli and Behal, Robotics 2022, 11(1), 7; configs/modes has others",
+                 .licence = "Apache-2.0",
+                 .has_stages = true,
+                 .yields = yields_of_pipeline,
+                 .make = make_pipeline_method},
+      MethodKind{.name = "predictions",
+                 .doc = "what any program has written into a folder",
+                 .source = "whoever wrote them",
+                 .licence = "theirs",
+                 .folder = "where they are",
+                 .computes_here = false,
+                 .yields = shown_by_predictions,
+                 .make = make_stored_predictions},
+      MethodKind{.name = "external",
+                 .doc = "any program, run on every frame or once on all of them",
+                 .source = "whoever wrote it",
+                 .licence = "theirs",
+                 .folder = "where the command runs; without: beside the experiment file",
+                 .computes_here = false,
+                 .yields = shown_by_predictions,
+                 .make = make_external_method,
+                 .prepare = run_external_batch},
+  };
   return table;
 }
 
@@ -25,7 +53,15 @@ const MethodKind& find_method_kind(const MethodSpec& spec) {
   throw Error(ErrorKind::config, "method '" + spec.name + "': no kind is called '" + spec.kind + "'");
 }
 
+void require_available(const MethodSpec& spec) {
+  const MethodKind& kind = find_method_kind(spec);
+  if (!kind.absent.empty())
+    throw Error(ErrorKind::not_measured,
+                "method '" + spec.name + "' of kind " + spec.kind + ": " + std::string(kind.absent));
+}
+
 std::unique_ptr<Method> make_method(const MethodSpec& spec, const MethodContext& context) {
+  require_available(spec);
   return find_method_kind(spec).make(spec, context);
 }
 

@@ -20,7 +20,7 @@ class StoredPredictions final : public Method {
 
   void process(const Frame& frame, Prediction& prediction, StageTimes& times) override {
     times = {};
-    prediction = read_prediction(folder_ / frame.id);
+    prediction = read_prediction(folder_ / frame.id, frame.depth_m.size());
   }
   void reset_history() override {}
 

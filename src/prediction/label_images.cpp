@@ -76,6 +76,10 @@ Image<std::uint16_t> read_label_image(const std::filesystem::path& path) {
   return labels;
 }
 
+void require_size(const std::filesystem::path& path, Size labels, Size frame) {
+  if (labels != frame) fail(path, "is " + text(labels) + " but the frame is " + text(frame));
+}
+
 Image<std::uint8_t> read_edge_image(const std::filesystem::path& path, Size size) {
   const cv::Mat stored = read_grey_png(path, false);
   if (Size{stored.cols, stored.rows} != size)

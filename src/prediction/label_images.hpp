@@ -15,6 +15,9 @@ cv::Mat as_mat(const Image<std::uint8_t>& image);
 /// Reads a label image: 8-bit or 16-bit grey PNG. Throws Error{data} naming file and rule.
 Image<std::uint16_t> read_label_image(const std::filesystem::path& path);
 
+/// Throws Error{data} where the label image of a file is not of its frame's size.
+void require_size(const std::filesystem::path& path, Size labels, Size frame);
+
 /// Reads an edge image of that size: 8-bit grey PNG of known codes. Throws Error{data} naming file and rule.
 Image<std::uint8_t> read_edge_image(const std::filesystem::path& path, Size size);
 

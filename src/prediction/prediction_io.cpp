@@ -44,4 +44,10 @@ Prediction read_prediction(const std::filesystem::path& stem) {
   return prediction;
 }
 
+Prediction read_prediction(const std::filesystem::path& stem, Size frame) {
+  Prediction prediction = read_prediction(stem);
+  require_size(PredictionFiles(stem).labels, prediction.labels.size(), frame);
+  return prediction;
+}
+
 }  // namespace facet

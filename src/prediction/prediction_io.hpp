@@ -27,4 +27,7 @@ void write_prediction(const Prediction& prediction, const std::filesystem::path&
 /// image has, an area that is not the label's.
 Prediction read_prediction(const std::filesystem::path& stem);
 
+/// The same for a frame of that size; Error{data} too where the label image is of another.
+Prediction read_prediction(const std::filesystem::path& stem, Size frame);
+
 }  // namespace facet

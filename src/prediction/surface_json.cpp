@@ -82,6 +82,12 @@ FloatJson to_json(const Grasp& grasp) {
           {"score", grasp.score}};
 }
 
+FloatJson to_json(const FreeGrasp& free) {
+  FloatJson object = to_json(free.grasp);
+  object["approach_axis"] = to_json(free.approach_axis);
+  return object;
+}
+
 void put_grasps(FloatJson& object, const Surface& surface) {
   FloatJson grasps = FloatJson::array();
   for (const Grasp& grasp : surface.grasps) {
@@ -128,11 +134,19 @@ std::string lines(const Items& items) {
   return text + (items.empty() ? "]" : "\n]");
 }
 
+std::vector<FreeGrasp> finite_only(std::vector<FreeGrasp> grasps) {
+  std::erase_if(grasps,
+                [](const FreeGrasp& g) { return !is_finite(g.grasp) || !is_finite(g.approach_axis); });
+  return grasps;
+}
+
 }  // namespace
 
 std::string surfaces_to_json(const Prediction& prediction) {
+  const std::string grasps =
+      prediction.grasps.empty() ? "" : ",\n\"grasps\": " + lines(finite_only(prediction.grasps));
   return "{\"surfaces\": " + lines(prediction.surfaces) + ",\n\"rejected\": " + lines(prediction.rejected) +
-         ",\n\"note\": " + FloatJson(escaped_utf8(prediction.note)).dump() + "}\n";
+         grasps + ",\n\"note\": " + FloatJson(escaped_utf8(prediction.note)).dump() + "}\n";
 }
 
 }  // namespace facet

@@ -50,8 +50,7 @@ SurfacePose read_pose(const JsonPlace& place) {
   return pose;
 }
 
-Grasp read_grasp(const JsonPlace& place) {
-  place.only({"contacts_m", "contacts_px", "closing_axis", "width_m", "score"});
+Grasp read_grasp_members(const JsonPlace& place) {
   const auto contacts_m = place.at("contacts_m").items(), contacts_px = place.at("contacts_px").items();
   if (contacts_m.size() != 2) place.at("contacts_m").fail("expected 2 points");
   if (contacts_px.size() != 2) place.at("contacts_px").fail("expected 2 points");
@@ -65,6 +64,16 @@ Grasp read_grasp(const JsonPlace& place) {
   grasp.width_m = place.at("width_m").number();
   if (place.has("score")) grasp.score = place.at("score").number();
   return grasp;
+}
+
+Grasp read_grasp(const JsonPlace& place) {
+  place.only({"contacts_m", "contacts_px", "closing_axis", "width_m", "score"});
+  return read_grasp_members(place);
+}
+
+FreeGrasp read_free_grasp(const JsonPlace& place) {
+  place.only({"contacts_m", "contacts_px", "closing_axis", "width_m", "score", "approach_axis"});
+  return {read_grasp_members(place), read_vec3(place.at("approach_axis"))};
 }
 
 /// A number of the plane's fit; null is NaN where there is a plane, 0 where there is none.
@@ -125,13 +134,15 @@ void read_surfaces_json(const std::filesystem::path& path, Prediction& predictio
   const FloatJson json = parse(path);
   const JsonPlace top(json, printable(path));
   const Size size = prediction.labels.size();
-  if (!top.is_list()) top.only({"surfaces", "rejected", "note"});
+  if (!top.is_list()) top.only({"surfaces", "rejected", "grasps", "note"});
   const JsonPlace list = top.is_list() ? top : top.at("surfaces");
   for (const JsonPlace& item : list.items()) prediction.surfaces.push_back(read_surface(item, size));
   if (top.is_list()) return;
   if (top.has("rejected"))
     for (const JsonPlace& item : top.at("rejected").items())
       prediction.rejected.push_back(read_rejected(item, size));
+  if (top.has("grasps"))
+    for (const JsonPlace& item : top.at("grasps").items()) prediction.grasps.push_back(read_free_grasp(item));
   if (top.has("note")) prediction.note = top.at("note").text();
 }
 

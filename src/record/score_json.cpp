@@ -34,7 +34,7 @@ FACET_ARRAY_JSON(EdgeOutcome, std::tie(v.number, v.object, v.kind, v.graspable, 
 #undef FACET_ARRAY_JSON
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnnotatedParts, surfaces, edges, masks, poses)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PredictedParts, edges, poses, grasps)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(PredictedParts, regions, edges, poses, grasps)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DetectionScore, truth, detected, wrong, iou_total, table, background,
                                    ignored, tiny)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OverlapScore, common_px, predicted_px, truth_px, boundary_predicted_hit,

@@ -41,6 +41,8 @@ constexpr DetectionRow detection_rows[]{
     {"Objects with pose and grasp", "objects_grasp", "52/52 100 %", "48/52 92.3 %"},
     {"Objects with pose", "objects_pose", "-", "-"},
     {"Graspable surfaces, IoU 0.5", "surface_recall_graspable_0.5", "102/102 100 %", "79/102 77.5 %"},
+    {"Objects, a grasp on two of their edges", "objects_by_grasp", "-", "-"},
+    {"Graspable surfaces, a grasp on two of their edges", "surfaces_by_grasp", "-", "-"},
     {"All surfaces, IoU 0.5", "surface_recall_0.5", "-", "-"},
     {"  precision", "surface_precision_0.5", "-", "-"},
     {"Graspable edges, 6 px", "edge_recall_graspable_6px", "225/229 98.3 %", "178/229 77.7 %"},

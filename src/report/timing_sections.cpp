@@ -168,15 +168,26 @@ ReportTable io_table(const RunRecord& run) {
   ReportTable table;
   table.caption = "Outside the methods [ms]";
   table.header = {"what", "n", "mean", "sd", "max"};
-  for (const std::string what : {"decode", "write"}) {
+  const auto add = [&](const std::string& label, const auto& is_meant) {
     std::vector<double> ms;
     for (const IoTime& t : run.io_times)
-      if (t.what == what) ms.push_back(t.ms);
+      if (is_meant(t)) ms.push_back(t.ms);
     const TimeStatistics t = summarize_times(ms);
     if (t.n > 0)
-      table.rows.push_back({what, std::to_string(t.n), fmt::format("{:.2f}", t.mean_ms),
+      table.rows.push_back({label, std::to_string(t.n), fmt::format("{:.2f}", t.mean_ms),
                             fmt::format("{:.2f}", t.deviation_ms), fmt::format("{:.2f}", t.max_ms)});
-  }
+    return t.n > 0;
+  };
+  for (const std::string what : {"decode", "write"})
+    add(what, [&](const IoTime& t) { return t.what == what; });
+  bool any_program = false;
+  for (const std::string& method : run.manifest.methods)
+    any_program |= add("program of " + method,
+                       [&](const IoTime& t) { return t.what == "program" && t.method == method; });
+  if (any_program)
+    table.notes.push_back(
+        "A program's time is its wall time in the accuracy pass, its start and its files included; of one "
+        "that takes all frames at once, the share of a frame.");
   table.notes.push_back(
       fmt::format("Frames are decoded before their timed runs; outputs were written in the "
                   "accuracy pass, {} frames at a time.",

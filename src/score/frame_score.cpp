@@ -43,10 +43,12 @@ PredictedParts parts_of(const Prediction& prediction) {
     return surface.pose.has_value() ||
            (!surface.no_pose_reason.empty() && surface.no_pose_reason != pose_not_provided);
   };
-  return {.edges = !prediction.edges.empty(),
+  const bool has_grasps = !prediction.grasps.empty() ||
+                          std::any_of(s.begin(), s.end(), [](const Surface& x) { return !x.grasps.empty(); });
+  return {.regions = !s.empty() || !has_grasps,
+          .edges = !prediction.edges.empty(),
           .poses = std::any_of(s.begin(), s.end(), speaks_of_poses),
-          .grasps = std::any_of(s.begin(), s.end(),
-                                [](const Surface& surface) { return !surface.grasps.empty(); })};
+          .grasps = has_grasps};
 }
 
 FrameScore score_frame(const FrameTruth& frame, const Prediction& prediction, PredictedParts parts) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "prediction/predicted_parts.hpp"
 #include "score/boundary_match.hpp"
 #include "score/clutter.hpp"
 #include "score/edge_score.hpp"
@@ -12,15 +13,10 @@
 
 namespace facet {
 
-/// What a method yields besides the label image.
-struct PredictedParts {
-  bool edges = false, poses = false, grasps = false;
-};
-
 /// What one prediction shows of that: edges if it has an edge image; poses if a surface has one or says why
-/// not; grasps if a surface has one. A method that found nothing in this frame looks as if it yielded
-/// nothing: where it is known what the method yields, say so to score_frame(); otherwise summaries over
-/// frames take it from the other frames (see score/summary.hpp).
+/// not; grasps if it has one; no regions if it has grasps and no surface. A method that found nothing in this
+/// frame looks as if it yielded nothing: where it is known what the method yields, say so to score_frame();
+/// otherwise summaries over frames take it from the other frames (see score/summary.hpp).
 PredictedParts parts_of(const Prediction& prediction);
 
 /// What the truth of a frame allows to score.

@@ -99,7 +99,8 @@ class GraspScorer {
     for (const Surface& surface : prediction_.surfaces)
       for (const Grasp& grasp : surface.grasps)
         if (is_between(grasp, edges)) return true;
-    return false;
+    return std::any_of(prediction_.grasps.begin(), prediction_.grasps.end(),
+                       [&](const FreeGrasp& free) { return is_between(free.grasp, edges); });
   }
 
   bool is_between(const Grasp& grasp, const std::vector<const ScoredEdge*>& edges) const {

@@ -13,7 +13,8 @@ std::string missing_truth(const AnnotatedParts& needs) {
 std::string missing_prediction(const PredictedParts& needs) {
   return std::string("the predictions have no ") + (needs.edges    ? "edges"
                                                     : needs.grasps ? "grasps"
-                                                                   : "poses");
+                                                    : needs.poses  ? "poses"
+                                                                   : "regions");
 }
 
 }  // namespace

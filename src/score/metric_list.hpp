@@ -12,10 +12,11 @@ struct MetricNeeds {
 namespace metric_needs {
 inline constexpr MetricNeeds surfaces{{.surfaces = true}, {}};
 inline constexpr MetricNeeds masks{{.masks = true}, {}};
-inline constexpr MetricNeeds edges{{.edges = true}, {.edges = true}};
+inline constexpr MetricNeeds edges{{.edges = true}, {.regions = false, .edges = true}};
 inline constexpr MetricNeeds poses{{.surfaces = true}, {.poses = true}};
 inline constexpr MetricNeeds grasps{{.surfaces = true}, {.poses = true, .grasps = true}};
-inline constexpr MetricNeeds grasped_edges{{.surfaces = true, .edges = true}, {.grasps = true}};
+inline constexpr MetricNeeds grasped_edges{{.surfaces = true, .edges = true},
+                                           {.regions = false, .grasps = true}};
 inline constexpr MetricNeeds true_poses{{.surfaces = true, .poses = true}, {.poses = true}};
 }  // namespace metric_needs
 

@@ -12,8 +12,8 @@ std::vector<Metric> all_metrics() {
   add_edge_metrics(list);
   add_grasp_metrics(list);
   for (Metric& metric : list.metrics)
-    for (const char* name : {"hoover_over_0.8", "hoover_under_0.8", "hoover_missed_0.8", "hoover_noise_0.8",
-                             "object_leakage"})
+    for (const char* name :
+         {"hoover_over_0.8", "hoover_under_0.8", "hoover_missed_0.8", "hoover_noise_0.8", "object_leakage"})
       if (metric.name == name) metric.less_is_better = true;
   return std::move(list.metrics);
 }
@@ -71,8 +71,8 @@ bool Metric::is_annotated(const FrameScore& frame) const {
 
 bool Metric::is_predicted(const FrameScore& frame) const {
   const PredictedParts& has = frame.predicted;
-  return (has.edges || !needs_prediction.edges) && (has.poses || !needs_prediction.poses) &&
-         (has.grasps || !needs_prediction.grasps);
+  return (has.regions || !needs_prediction.regions) && (has.edges || !needs_prediction.edges) &&
+         (has.poses || !needs_prediction.poses) && (has.grasps || !needs_prediction.grasps);
 }
 
 const std::vector<Metric>& score_metrics() {

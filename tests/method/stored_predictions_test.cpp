@@ -28,6 +28,7 @@ TEST(StoredPredictions, AreReadByFrame) {
   write_prediction(one_label(), folder.path() / "f1");
   const auto method = make_method(spec_of(folder.path()), {});
   Frame frame;
+  frame.depth_m = Image<float>(Size{8, 6}, 1.0f);
   frame.id = "f1";
   Prediction prediction;
   StageTimes times;
@@ -36,6 +37,18 @@ TEST(StoredPredictions, AreReadByFrame) {
   EXPECT_EQ(times.total_ms, 0);
   frame.id = "f2";
   expect_error(ErrorKind::data, "f2.labels.png", [&] { method->process(frame, prediction, times); });
+}
+
+TEST(StoredPredictions, OfAnotherSizeThanTheFrameAreErrors) {
+  const TemporaryFolder folder;
+  write_prediction(one_label(), folder.path() / "f1");
+  Frame frame;
+  frame.depth_m = Image<float>(Size{9, 6}, 1.0f);
+  frame.id = "f1";
+  Prediction prediction;
+  StageTimes times;
+  expect_error(ErrorKind::data, "f1.labels.png: is 8x6 but the frame is 9x6",
+               [&] { make_method(spec_of(folder.path()), {})->process(frame, prediction, times); });
 }
 
 TEST(StoredPredictions, NeedAFolderThatIsThere) {
