@@ -11,7 +11,7 @@ namespace {
 class CountingPipeline final : public Pipeline {
  public:
   CountingPipeline(int& calls, int& resets) : calls_(calls), resets_(resets) {}
-  void process(const FrameInput& frame, FrameResult& result) override {
+  void run(StageRange, const FrameInput& frame, FrameResult& result) override {
     ++calls_;
     result.labels.resize(frame.depth_m.size());
     result.labels.fill(static_cast<std::uint16_t>(calls_));
