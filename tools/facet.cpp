@@ -13,6 +13,7 @@
 #include "facet_commands.hpp"
 #include "report_commands.hpp"
 #include "reproduce_command.hpp"
+#include "stream_command.hpp"
 
 namespace {
 
@@ -221,6 +222,7 @@ int main(int argc, char** argv) {
   add_compare_commands(app, chosen);
   add_report_commands(app, chosen);
   add_reproduce_command(app, chosen);
+  add_stream_command(app, chosen, arguments.run.command);
   try {
     app.parse(argc, argv);
     if (chosen) return chosen();

@@ -25,8 +25,8 @@ void Progress::on_frame(const facet::FrameRow& row, std::size_t done, std::size_
   show("frames", done, planned);
 }
 
-void Progress::on_timed(const std::string& what, std::size_t done, std::size_t planned) {
-  show("timing " + what, done, planned);
+void Progress::on_step(const std::string& what, std::size_t done, std::size_t planned) {
+  show(what, done, planned);
 }
 
 void Progress::on_written(std::size_t done, std::size_t planned) {

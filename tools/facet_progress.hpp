@@ -14,7 +14,7 @@ class Progress final : public facet::RunObserver {
   ~Progress() override;
   void on_note(const std::string& text) override;
   void on_frame(const facet::FrameRow& row, std::size_t done, std::size_t planned) override;
-  void on_timed(const std::string& what, std::size_t done, std::size_t planned) override;
+  void on_step(const std::string& what, std::size_t done, std::size_t planned) override;
   void on_written(std::size_t done, std::size_t planned);  ///< frames of a synthetic benchmark
   void clear_bar();
 

@@ -9,8 +9,8 @@
 namespace facet {
 namespace {
 
-constexpr std::array<std::string_view, 10> experiment_keys{
-    "name", "datasets", "methods", "score", "timing", "outputs", "ablation", "sweep", "seed", "schema"};
+constexpr std::array<std::string_view, 11> experiment_keys{
+    "name", "datasets", "methods", "score", "timing", "outputs", "ablation", "sweep", "stream", "seed", "schema"};
 
 void stamp(ConfigValue& value, const Origin& origin) {
   value.origin = origin;

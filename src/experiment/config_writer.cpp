@@ -78,6 +78,14 @@ class ConfigWriter {
     raw("    params:");
     visit_method_fields(spec, fields(6, path + ".params"));
   }
+  void stream(const StreamOptions& options) {
+    raw("stream:");
+    visit_stream_fields(options, fields(2, "stream"));
+    raw("  filters:");
+    for (const StreamFilter& filter : options.filters)
+      raw(fmt::format("    - {{name: {}, until: {}, threads: {}}}", quote(filter.name), spell(filter.until),
+                      filter.threads));
+  }
   std::string take() { return std::move(text_); }
 
  private:
@@ -132,6 +140,7 @@ std::string write(const Experiment& e, const std::string& head, Annotate annotat
   visit_timing_fields(e.timing, writer.fields(2, "timing"));
   writer.raw("outputs:");
   visit_output_fields(e.outputs, writer.fields(2, "outputs"));
+  writer.stream(e.stream);
   write_studies(writer, e);
   return writer.take();
 }

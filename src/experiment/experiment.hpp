@@ -5,6 +5,7 @@
 
 #include "dataset/registry.hpp"
 #include "method/method_spec.hpp"
+#include "stream/stream_options.hpp"
 #include "study/ablation_plan.hpp"
 
 namespace facet {
@@ -46,6 +47,7 @@ struct Experiment {
   OutputOptions outputs;
   std::vector<AblationOptions> ablations;  ///< each a design of its own
   std::vector<SweepAxis> sweep;
+  StreamOptions stream;
 };
 
 }  // namespace facet

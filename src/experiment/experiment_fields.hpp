@@ -8,6 +8,16 @@ namespace facet {
 
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<PoseScoring>{"auto", "true", "false"};
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<StreamPace>{"fixed", "recorded", "fastest"};
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<QueuePolicy>{"block", "drop"};
+template <>
+inline constexpr auto enum_names<StageId> = [] {
+  std::array<std::string_view, stage_count> keys;
+  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = stage_names[i].key;
+  return keys;
+}();
 
 // The keys of an experiment's sections, as visit_fields() lists those of the pipeline. They drive the reader,
 // --set, the range checks and configs/default.yaml.
@@ -39,6 +49,26 @@ template <class Options, class Visitor>
 void visit_ablation_fields(Options& o, Visitor&& visit) {
   visit("design", o.design, FieldInfo{"", 0, 0, "which combinations of the switches run"});
   visit("base", o.base, FieldInfo{"", 0, 0, "method whose switches are turned"});
+}
+
+template <class Options, class Visitor>
+void visit_stream_fields(Options& o, Visitor&& visit) {
+  visit("pace", o.pace, FieldInfo{"", 0, 0, "at rate_hz, at the recorded times, or as fast as possible"});
+  visit("rate_hz", o.rate_hz, FieldInfo{"frames/s", 0.01, 100000, "pace fixed"});
+  visit("frames", o.frames,
+        FieldInfo{"frames", 0, 100000000, "offered; 0 = as many as `seconds` allow, else each once"});
+  visit("seconds", o.seconds, FieldInfo{"s", 0, 1000000, "how long frames are offered; 0 = no limit"});
+  visit("warmup", o.warmup, FieldInfo{"frames", 0, 1000000, "offered before those that count"});
+  visit("policy", o.policy,
+        FieldInfo{"", 0, 0, "where the first queue is full: wait, or give up the oldest frame"});
+  visit("queue_frames", o.queue_frames, FieldInfo{"frames", 1, 1024, "room of every queue"});
+}
+
+template <class Options, class Visitor>
+void visit_stream_filter_fields(Options& o, Visitor&& visit) {
+  visit("name", o.name, FieldInfo{"", 0, 0, "name of the filter in every output"});
+  visit("until", o.until, FieldInfo{"", 0, 0, "its last stage"});
+  visit("threads", o.threads, FieldInfo{"threads", 1, 1024, "frames at a time"});
 }
 
 template <class Value, class Visitor>

@@ -7,6 +7,7 @@
 
 #include "experiment/config_layers.hpp"
 #include "experiment/experiment_fields.hpp"
+#include "experiment/stream_reader.hpp"
 #include "score/metrics.hpp"
 #include "study/switches.hpp"
 
@@ -148,6 +149,7 @@ void read_sections(SectionReader& reader, LoadedExperiment& loaded, ConfigErrors
       "outputs", [](auto& o, auto& v) { visit_output_fields(o, v); }, e.outputs);
   if (const ConfigValue* ablation = reader.take("ablation"))
     e.ablations = read_ablations(*ablation, errors, origins);
+  if (const ConfigValue* stream = reader.take("stream")) e.stream = read_stream(*stream, errors, origins);
   if (const ConfigValue* sweep = reader.take("sweep")) e.sweep = read_sweep(*sweep, errors, origins);
 }
 

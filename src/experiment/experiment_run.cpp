@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 
-#include "dataset/checksum.hpp"
 #include "experiment/ablation_strips.hpp"
 #include "experiment/build_info.hpp"
 #include "experiment/calibration.hpp"
-#include "experiment/config_writer.hpp"
-#include "experiment/environment.hpp"
 #include "experiment/gallery_pictures.hpp"
 #include "experiment/publish_rows.hpp"
+#include "experiment/run_description.hpp"
 #include "experiment/study_expansion.hpp"
 #include "experiment/timing_pass.hpp"
 #include "file/file_bytes.hpp"
@@ -21,14 +18,6 @@
 
 namespace facet {
 namespace {
-
-/// Hash of everything that decides which results there are: the experiment and the selection of frames.
-std::string config_hash(const Experiment& experiment, const RunOptions& options) {
-  const std::string text =
-      write_config(experiment) + fmt::format("filter: {}\nlimit: {}\nstudy: {}\n", options.filter,
-                                             options.limit.value_or(0), static_cast<int>(options.study));
-  return sha256_hex({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
 
 /// What a data set lacks of what its description asks for; of its frames, those that were planned.
 std::vector<std::string> gaps_of(const PlannedDataset& planned) {
@@ -55,25 +44,6 @@ std::vector<std::string> extra_predictions(const MethodSpec& method, const Plan&
   return notes;
 }
 
-/// The same experiment wherever its file lies: no path is relative to another place than the data root.
-Experiment with_whole_paths(Experiment experiment) {
-  const auto whole = [](std::filesystem::path& path) {
-    if (!path.empty() && !path.string().starts_with("${")) path = std::filesystem::weakly_canonical(path);
-  };
-  for (DatasetSpec& spec : experiment.datasets) {
-    whole(spec.root);
-    whole(spec.annotations);
-  }
-  for (MethodSpec& method : experiment.methods) whole(method.folder);
-  return experiment;
-}
-
-std::vector<std::string> printable_all(const std::vector<std::string>& texts) {
-  std::vector<std::string> result;
-  for (const std::string& text : texts) result.push_back(escaped_utf8(text));
-  return result;
-}
-
 }  // namespace
 
 ExperimentRun::ExperimentRun(const Experiment& experiment, const RunOptions& options, RunObserver& observer,
@@ -94,7 +64,7 @@ RunOutcome ExperimentRun::execute() {
   rows_ = pass.run();
   count_rows(rows_, manifest_);
   note_gaps();
-  publish_lock(pass.work().data_lock());
+  publish_lock(directory_, plan_, pass.work().data_lock());
   const bool stopped_early = options_.fail_fast && failed() > 0;
   if (stop_signal_ == 0) publish_results(pass, stopped_early);
   return finish(stopped_early);
@@ -118,29 +88,12 @@ RunDirectory ExperimentRun::open_directory() {
 }
 
 void ExperimentRun::describe_run() {
-  manifest_.experiment = experiment_.name;
-  manifest_.study = study_name(options_.study);
-  manifest_.shard = options_.shard.text();
-  manifest_.command = printable_all(options_.command);
-  manifest_.config_hash = identity_.config_hash;
-  manifest_.build = identity_.build;
-  manifest_.backend = "cpu";
-  manifest_.jobs = options_.jobs;
-  manifest_.started_utc = utc_now();
-  for (const MethodSpec& method : experiment_.methods) manifest_.methods.push_back(method.name);
-  for (const PlannedDataset& planned : plan_.datasets) manifest_.datasets.push_back(planned.spec.name);
-  manifest_.frames_planned = static_cast<int>(plan_.frame_count());
-  manifest_.timing_warmup = experiment_.timing.warmup;
-  manifest_.timing_repeats = experiment_.timing.repeats;
-  manifest_.timing_threads = experiment_.timing.threads;
+  manifest_ = make_manifest(experiment_, options_, plan_, identity_);
   for (const PlannedDataset& planned : plan_.datasets)
     if (!planned.spec.root.empty())
       observer_.on_note(
           fmt::format("data set {} is read from {}", planned.spec.name, printable(planned.spec.root)));
-  directory_.publish("manifest.json", to_json(manifest_));
-  directory_.publish("config.resolved.yaml", write_config(with_whole_paths(source_)));
-  directory_.publish("env.json", environment_json());
-  directory_.become_latest();
+  publish_description(directory_, source_, manifest_);
 }
 
 void ExperimentRun::note_gaps() {
@@ -149,15 +102,6 @@ void ExperimentRun::note_gaps() {
   }
   for (const MethodSpec& method : experiment_.methods)
     for (std::string& extra : extra_predictions(method, plan_)) manifest_.notes.push_back(std::move(extra));
-}
-
-void ExperimentRun::publish_lock(const DataLock& lock) {
-  std::map<std::string, std::filesystem::path> roots;
-  for (const PlannedDataset& planned : plan_.datasets) {
-    const std::filesystem::path folder = planned.data->folder();
-    roots[planned.spec.name] = folder.empty() ? planned.spec.root : folder;
-  }
-  directory_.publish("dataset.lock.json", lock.to_json(roots));
 }
 
 void ExperimentRun::publish_gallery() {

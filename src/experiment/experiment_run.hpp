@@ -23,7 +23,6 @@ class ExperimentRun {
   void describe_run();
   void note_gaps();
   int failed() const { return manifest_.frames_data_error + manifest_.frames_method_error; }
-  void publish_lock(const DataLock& lock);
   void publish_results(const AccuracyPass& pass, bool stopped_early);
   void adopt_points();
   void publish_gallery();

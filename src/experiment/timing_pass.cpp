@@ -118,7 +118,7 @@ Timings run_timing_pass(const Experiment& experiment, const Plan& plan, const Fr
       const auto frames = frames_to_time(planned, spec.name, keys);
       if (frames.empty() || stop_signal != 0 || !find_method_kind(spec).computes_here) continue;
       const auto proceed = [&](std::size_t runs) {
-        observer.on_timed(spec.name + " on " + planned.data->name(), done += runs, planned_runs);
+        observer.on_step("timing " + spec.name + " on " + planned.data->name(), done += runs, planned_runs);
         return stop_signal == 0;
       };
       arena.execute([&] {
