@@ -1,22 +1,25 @@
 #!/usr/bin/env bash
 # Installs what Facet is built from. This is the one list of its packages (names of Debian 12).
-# Usage: scripts/bootstrap.sh [--with-tools]     --with-tools adds what only developers need
+# Usage: scripts/bootstrap.sh [--with-tools] [--with-pcl]     --with-tools adds what only developers need,
+#        --with-pcl the Point Cloud Library, which the method pcl_planes needs (about 750 MB)
 set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache git
-  libopencv-dev libeigen3-dev libtbb-dev
+  libopencv-dev libopencv-contrib-dev libeigen3-dev libtbb-dev
   libcli11-dev libyaml-cpp-dev nlohmann-json3-dev libfmt-dev libspdlog-dev libssl-dev libtinyxml2-dev zlib1g-dev
   libavformat-dev libavcodec-dev
   libgtest-dev libbenchmark-dev
 )
 developer_packages=(clang-format clang-tidy gcovr)
 
-case "${1:-}" in
-  "") ;;
-  --with-tools) packages+=("${developer_packages[@]}") ;;
-  *) sed -n '2,3s/^# //p' "$0" >&2; exit 2 ;;
-esac
+for option in "$@"; do
+  case "$option" in
+    --with-tools) packages+=("${developer_packages[@]}") ;;
+    --with-pcl) packages+=(libpcl-dev) ;;
+    *) sed -n '2,4s/^# //p' "$0" >&2; exit 2 ;;
+  esac
+done
 
 if ! command -v apt-get >/dev/null; then
   echo "bootstrap: no apt-get here; install the equivalents of: ${packages[*]}" >&2

@@ -42,11 +42,17 @@ std::map<std::string, double> calibrations(const RunRecord& run, const MethodOnD
   return out;
 }
 
+bool has_stages(const RunRecord& run, const MethodOnDataset& what) {
+  return std::any_of(run.timing.samples.begin(), run.timing.samples.end(), [&](const TimingSample& s) {
+    return s.method == what.first && s.dataset == what.second && !s.stage_ms.empty();
+  });
+}
+
 }  // namespace
 
 QuietTimes quiet_times(const RunRecord& run, const MethodOnDataset& what) {
   QuietTimes out;
-  out.stages = run.timing.stages;
+  if (has_stages(run, what)) out.stages = run.timing.stages;
   out.stages.push_back("total");
   std::map<std::string, std::vector<std::vector<double>>> samples;
   for (const TimingSample& sample : run.timing.samples) {

@@ -4,6 +4,7 @@ namespace facet {
 
 /// The edge-pair baseline. Lengths in the image at pixel scale, of the gripper in millimetres.
 struct EdgePairParams {
+  int smoothing_px = 5;         ///< side of the bilateral filter after the median, 1 = none, 1..31, odd
   float jump_ratio = 0.02f;     ///< least depth jump, relative to depth, 0..1
   float noise_sigmas = 4;       ///< and in deviations of the sensor's noise, 0..100
   float crease_deg = 20;        ///< least change of the gradient's direction, 0..180

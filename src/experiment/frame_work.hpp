@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -11,6 +10,7 @@
 #include "experiment/data_lock.hpp"
 #include "experiment/plan.hpp"
 #include "method/method.hpp"
+#include "method/wall_time.hpp"
 #include "record/frame_row.hpp"
 #include "record/timing_row.hpp"
 #include "score/frame_score.hpp"
@@ -64,13 +64,5 @@ class FrameWork {
   std::mutex mutex_;
   std::vector<IoTime> io_times_;
 };
-
-/// Milliseconds that a call takes.
-template <class Function>
-double milliseconds_of(const Function& function) {
-  const auto start = std::chrono::steady_clock::now();
-  function();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace facet

@@ -32,6 +32,8 @@ void visit_stored_fields(Params& p, Visitor&& visit) {
 
 template <class Params, class Visitor>
 void visit_edge_pair_fields(Params& p, Visitor&& visit) {
+  visit("smoothing_px", p.smoothing_px,
+        FieldInfo{"px", 1, 31, "bilateral filter after the 3x3 median, 1 = none", true});
   visit("jump_ratio", p.jump_ratio, FieldInfo{"m/m", 0, 1, "least depth jump, relative to depth"});
   visit("noise_sigmas", p.noise_sigmas, FieldInfo{"sigma", 0, 100, "least depth jump in noise deviations"});
   visit("crease_deg", p.crease_deg,
@@ -62,6 +64,7 @@ void visit_rgbd_fields(Params& p, Visitor&& visit) {
   visit("block_px", p.block_px, FieldInfo{"px", 4, 200, "planes grow from blocks of that side"});
   visit("min_area_px", p.min_area_px, FieldInfo{"px", 1, 1000000, "least area"});
   visit("distance_mm", p.distance_mm, FieldInfo{"mm", 0, 1000, "most distance of a pixel to its plane"});
+  visit("error_per_m", p.error_per_m, FieldInfo{"1/m", 0, 1, "and the sensor's error, by depth squared"});
 }
 
 template <class Params, class Visitor>

@@ -12,6 +12,8 @@ struct RgbdPlaneParams {
   int block_px = 40;         ///< planes grow from blocks of that side, 4..200
   int min_area_px = 1600;    ///< 1..1000000
   float distance_mm = 10;    ///< of a pixel to its plane, 0..1000
+  float error_per_m =
+      0.0075f;  ///< the sensor's error by depth squared, as the library gives for a Kinect [1/m], 0..1
 };
 
 /// PCL's organized multi-plane segmentation on integral-image normals. Defaults are the library's.

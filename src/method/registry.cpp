@@ -4,7 +4,10 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "method/edge_pairs_method.hpp"
 #include "method/external.hpp"
+#include "method/opencv_rgbd.hpp"
+#include "method/pcl_planes.hpp"
 #include "method/pipeline_method.hpp"
 #include "method/stored_predictions.hpp"
 
@@ -18,7 +21,7 @@ std::optional<PredictedParts> shown_by_predictions(const MethodSpec&) {
 }  // namespace
 
 std::span<const MethodKind> method_kinds() {
-  static constexpr std::array table{
+  static const std::array table{
       MethodKind{.name = "pipeline",
                  .doc = "the edge-based surface segmentation pipeline, in any of its modes",
                  .source = "Roberts, Jabalameli and Behal, Robotics 2022, 11(1), 7; configs/modes has others",
@@ -26,6 +29,26 @@ std::span<const MethodKind> method_kinds() {
                  .has_stages = true,
                  .yields = yields_of_pipeline,
                  .make = make_pipeline_method},
+      MethodKind{.name = "edge_pairs",
+                 .doc = "edge pairs, in the manner of [19]: grasps from opposing edges, without contours",
+                 .source = "reconstructed from Jabalameli and Behal, Robotics 2019, 8(3), 63, whose code and "
+                           "thresholds are not public",
+                 .licence = "Apache-2.0",
+                 .yields = yields_edge_pairs,
+                 .make = make_edge_pairs},
+      MethodKind{.name = "opencv_rgbd",
+                 .doc = "OpenCV's plane finder, cv::rgbd::RgbdPlane, on its normals",
+                 .source = "module rgbd of opencv_contrib",
+                 .licence = "Apache-2.0",
+                 .yields = yields_planes,
+                 .make = make_opencv_rgbd},
+      MethodKind{.name = "pcl_planes",
+                 .doc = "PCL's organized multi-plane segmentation, and its organized edges",
+                 .source = "Point Cloud Library; Trevor et al. 2013, Choi et al., IROS 2013",
+                 .licence = "BSD-3-Clause",
+                 .yields = yields_pcl_planes,
+                 .make = make_pcl_planes,
+                 .absent = what_pcl_planes_lack()},
       MethodKind{.name = "predictions",
                  .doc = "what any program has written into a folder",
                  .source = "whoever wrote them",

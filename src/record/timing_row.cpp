@@ -52,7 +52,8 @@ std::string to_csv(const TimingTable& table) {
                   std::to_string(s.surfaces),
                   std::to_string(s.posed),
                   milliseconds(s.total_ms)};
-    for (const double ms : s.stage_ms) fields.push_back(milliseconds(ms));
+    for (std::size_t i = 0; i < table.stages.size(); ++i)
+      fields.push_back(s.stage_ms.empty() ? "" : milliseconds(s.stage_ms[i]));
     text += csv_line(fields);
   }
   return text;
@@ -82,7 +83,8 @@ TimingTable timing_from_csv(std::string_view text) {
                         parse_field<int>(row[6]),
                         parse_field<double>(row[7]),
                         {}};
-    for (std::size_t i = fixed_columns; i < row.size(); ++i)
+    const bool staged = row.size() > fixed_columns && !row[fixed_columns].empty();
+    for (std::size_t i = fixed_columns; staged && i < row.size(); ++i)
       sample.stage_ms.push_back(parse_field<double>(row[i]));
     table.samples.push_back(std::move(sample));
   }

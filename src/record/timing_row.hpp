@@ -20,7 +20,7 @@ struct TimingSample {
   int surfaces = 0;
   int posed = 0;
   double total_ms = 0;             ///< decoded depth in memory to contours, poses and labels in memory
-  std::vector<double> stage_ms{};  ///< in the order of TimingTable::stages
+  std::vector<double> stage_ms{};  ///< in the order of TimingTable::stages; empty: the method has none
 };
 
 /// timing/samples.csv.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "report/run_report.hpp"
+#include "score/metric_column.hpp"
 
 namespace facet {
 namespace {
@@ -58,10 +59,8 @@ Yields yields_of(const std::map<SceneKey, Scene>& scenes) {
   for (const auto& [key, scene] : scenes)
     for (const auto& [method, row] : scene) {
       if (!has_truth(*row) || row->score->failed) continue;
-      const PredictedParts& parts = row->score->predicted;
       PredictedParts& all = yields.try_emplace(method, PredictedParts{.regions = false}).first->second;
-      all = {all.regions || parts.regions, all.edges || parts.edges, all.poses || parts.poses,
-             all.grasps || parts.grasps};
+      all = united(all, row->score->predicted);
     }
   return yields;
 }

@@ -72,25 +72,27 @@ TimingSummary summarize(const TimingTable& table, const Samples& samples, const 
     if (s->phase == TimingPhase::warmup) warmup.push_back(s);
     if (s->phase == TimingPhase::first) summary.first_ms = s->total_ms;
   }
+  Samples staged = steady;  // of methods without stages: none
+  std::erase_if(staged, [](const TimingSample* s) { return s->stage_ms.empty(); });
   for (const TimingRowLayout& row : table3_layout())
-    summary.layout.push_back({std::string(row.label), statistics_of(steady, [&](const TimingSample& s) {
+    summary.layout.push_back({std::string(row.label), statistics_of(staged, [&](const TimingSample& s) {
                                 return sum_of(s, table.stages, row.stages);
                               })});
   for (std::size_t i = 0; i < table.stages.size(); ++i)
     summary.stages.push_back(
-        {table.stages[i], statistics_of(steady, [&](const TimingSample& s) { return s.stage_ms[i]; })});
+        {table.stages[i], statistics_of(staged, [&](const TimingSample& s) { return s.stage_ms[i]; })});
   const auto total = [](const TimingSample& s) { return s.total_ms; };
   summary.total = statistics_of(steady, total);
   summary.warmup = statistics_of(warmup, total);
-  summary.pose = statistics_of(steady, pose_of);
-  summary.grasps = statistics_of(steady, grasps_of);
+  summary.pose = statistics_of(staged, pose_of);
+  summary.grasps = statistics_of(staged, grasps_of);
   summary.total_without_pose =
-      statistics_of(steady, [&](const TimingSample& s) { return s.total_ms - pose_of(s) - grasps_of(s); });
-  summary.unattributed = statistics_of(steady, [](const TimingSample& s) {
+      statistics_of(staged, [&](const TimingSample& s) { return s.total_ms - pose_of(s) - grasps_of(s); });
+  summary.unattributed = statistics_of(staged, [](const TimingSample& s) {
     return s.total_ms - std::accumulate(s.stage_ms.begin(), s.stage_ms.end(), 0.0);
   });
   double posed = 0;
-  for (const TimingSample* s : steady) posed += s->posed;
+  for (const TimingSample* s : staged) posed += s->posed;
   if (posed > 0) summary.pose_per_surface_ms = summary.pose.mean_ms * summary.pose.n / posed;
   add_frame_statistics(summary, steady);
   return summary;

@@ -10,14 +10,19 @@ std::string missing_truth(const AnnotatedParts& needs) {
                                                               : "object masks");
 }
 
-std::string missing_prediction(const PredictedParts& needs) {
-  return std::string("the predictions have no ") + (needs.edges    ? "edges"
-                                                    : needs.grasps ? "grasps"
-                                                    : needs.poses  ? "poses"
-                                                                   : "regions");
+/// The first of the parts that no prediction has.
+std::string missing_prediction(const PredictedParts& needs, const PredictedParts& has) {
+  return std::string("the predictions have no ") + (needs.regions && !has.regions ? "regions"
+                                                    : needs.edges && !has.edges   ? "edges"
+                                                    : needs.grasps && !has.grasps ? "grasps"
+                                                                                  : "poses");
 }
 
 }  // namespace
+
+PredictedParts united(const PredictedParts& a, const PredictedParts& b) {
+  return {a.regions || b.regions, a.edges || b.edges, a.poses || b.poses, a.grasps || b.grasps};
+}
 
 std::string reason_not_provided(const ScoredFrames& frames, const AnnotatedParts& needs_truth,
                                 const PredictedParts& needs_prediction) {
@@ -25,14 +30,17 @@ std::string reason_not_provided(const ScoredFrames& frames, const AnnotatedParts
   metric.needs_truth = needs_truth;
   metric.needs_prediction = needs_prediction;
   bool annotated = false, predicted = false, any_prediction = false;
+  PredictedParts has{.regions = false};
   for (const auto& [score, sequence] : frames) {
     if (!metric.is_annotated(score)) continue;
     annotated = true;
-    any_prediction = any_prediction || !score.failed;
-    predicted = predicted || (!score.failed && metric.is_predicted(score));
+    if (score.failed) continue;
+    any_prediction = true;
+    has = united(has, score.predicted);
+    predicted = predicted || metric.is_predicted(score);
   }
   if (!annotated) return frames.empty() ? "no frame was scored" : missing_truth(needs_truth);
-  return predicted || !any_prediction ? "" : missing_prediction(needs_prediction);
+  return predicted || !any_prediction ? "" : missing_prediction(needs_prediction, has);
 }
 
 MetricColumn::MetricColumn(const ScoredFrames& frames, const Metric& metric) {

@@ -6,6 +6,9 @@ namespace facet {
 
 using ScoredFrames = std::vector<ScoreCollection::Frame>;
 
+/// What either has.
+PredictedParts united(const PredictedParts& a, const PredictedParts& b);
+
 /// Why there is no value for what needs these parts, empty where there is one.
 std::string reason_not_provided(const ScoredFrames& frames, const AnnotatedParts& needs_truth,
                                 const PredictedParts& needs_prediction);
