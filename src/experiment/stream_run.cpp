@@ -147,8 +147,11 @@ class StreamRun {
   }
 
   void finish(RunStatus status, int exit_code) {
-    for (const StreamRecord& record : records_)
+    manifest_.frames_planned = 0;
+    for (const StreamRecord& record : records_) {
+      manifest_.frames_planned += static_cast<int>(record.due);
       manifest_.frames_ok += static_cast<int>(record.samples.size());
+    }
     manifest_.status = status;
     manifest_.exit_code = exit_code;
     manifest_.finished_utc = utc_now();

@@ -53,7 +53,8 @@ const std::vector<std::string>& report_formats() {
 }
 
 std::string latex_document(const std::string& body) {
-  return "\\documentclass{article}\n\\usepackage[a4paper,landscape,margin=1.5cm]{geometry}\n\\usepackage{graphicx}\n"
+  return "\\documentclass{article}\n\\usepackage[a4paper,landscape,margin=1.5cm]{geometry}\n\\usepackage{"
+         "graphicx}\n"
          "\\begin{document}\n" +
          body + "\\end{document}\n";
 }
@@ -64,6 +65,9 @@ Report write_report(const fs::path& run_directory, const std::vector<std::string
       throw Error(ErrorKind::usage,
                   fmt::format("--format {}: there are {}", format, fmt::join(report_formats(), ", ")));
   const RunRecord run = read_run(run_directory);
+  if (run.manifest.study == "stream")
+    throw Error(ErrorKind::usage,
+                printable(run_directory) + ": a stream; its report is written when it runs");
   Report report = make_run_report(run);
   const fs::path folder = run_directory / "report";
   for (const std::string& format : formats) {

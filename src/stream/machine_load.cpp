@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
+#include <sched.h>
 #include <string>
 #include <unistd.h>
 
@@ -38,7 +39,9 @@ LoadMeter::LoadMeter() : wall_s_(wall_s()), own_s_(own_s()), busy_s_(busy_s()) {
 
 MachineLoad LoadMeter::load() const {
   const double wall = std::max(wall_s() - wall_s_, 1e-9), own = own_s() - own_s_;
-  return {own / wall, std::max(busy_s() - busy_s_ - own, 0.0) / wall};
+  cpu_set_t cores;
+  const int count = sched_getaffinity(0, sizeof cores, &cores) == 0 ? CPU_COUNT(&cores) : 0;
+  return {own / wall, std::max(busy_s() - busy_s_ - own, 0.0) / wall, count};
 }
 
 }  // namespace facet

@@ -6,6 +6,7 @@ namespace facet {
 struct MachineLoad {
   double own_cores = 0;    ///< by this process
   double other_cores = 0;  ///< by all other programs, the host's too where that shows
+  int cores = 0;           ///< that this process may use
 };
 
 /// Measures the load from its construction on.

@@ -73,7 +73,12 @@ Json record_json(const StreamRecord& r) {
   json["queues"] = queues_json(r);
   json["memory_mb"] = {
       {"after_warmup", r.memory.after_warmup_mb}, {"max", r.memory.max_mb}, {"end", r.memory.end_mb}};
-  json["cores"] = {{"own", r.load.own_cores}, {"others", r.load.other_cores}};
+  json["cpu_per_frame_ms"] = summary.cpu_per_frame_ms;
+  json["most_hz_by_cpu"] = summary.most_hz;
+  if (!summary.most_hz)
+    json["cpu_reason"] =
+        r.threads_in_frame > 1 ? "several threads work inside a frame" : "no frame after warm-up";
+  json["cores"] = {{"usable", r.load.cores}, {"own", r.load.own_cores}, {"others", r.load.other_cores}};
   return json;
 }
 

@@ -12,6 +12,10 @@ std::string percentile_cell(const TimeStatistics& t, std::size_t i) {
   return fmt::format("n/a (n = {} < {})", t.n, least_samples_for(percentiles[i]));
 }
 
+std::string number_cell(const std::optional<double>& value) {
+  return value ? fmt::format("{:.2f}", *value) : "n/a";
+}
+
 std::vector<std::string> time_cells(const TimeStatistics& t) {
   std::vector<std::string> cells{std::to_string(t.n)};
   if (t.n == 0) return {"0", "n/a", "n/a", "n/a", "n/a", "n/a", "n/a", "n/a"};
@@ -77,6 +81,9 @@ ReportTable run_table(const StreamRecord& r, const StreamSummary& summary) {
                 {"memory after warm-up, MB", fmt::format("{:.1f}", m.after_warmup_mb)},
                 {"memory at the end, MB", fmt::format("{:.1f}", m.end_mb)},
                 {"most memory, MB", fmt::format("{:.1f}", m.max_mb)},
+                {"processor time per frame, ms", number_cell(summary.cpu_per_frame_ms)},
+                {fmt::format("frames per second that {} cores could do by that", r.load.cores),
+                 number_cell(summary.most_hz)},
                 {"cores used by this program", fmt::format("{:.2f}", r.load.own_cores)},
                 {"cores used by others meanwhile", fmt::format("{:.2f}", r.load.other_cores)}};
   table.notes.push_back(fmt::format(

@@ -23,6 +23,16 @@ StreamTimes filter_times(Samples samples, const StreamFilter& filter, std::size_
   return times;
 }
 
+void add_bound(const StreamRecord& record, StreamSummary& summary) {
+  double sum_ms = 0;
+  for (const StreamTimes& filter : summary.filters) {
+    if (!filter.cpu_mean_ms) return;
+    sum_ms += *filter.cpu_mean_ms;
+  }
+  summary.cpu_per_frame_ms = sum_ms;
+  if (sum_ms > 0 && record.load.cores > 0) summary.most_hz = 1e3 * record.load.cores / sum_ms;
+}
+
 }  // namespace
 
 StreamSummary summarize(const StreamRecord& record) {
@@ -33,6 +43,7 @@ StreamSummary summarize(const StreamRecord& record) {
   // The clock of a thread does not see the threads that work for it inside a frame.
   if (record.threads_in_frame > 1)
     for (StreamTimes& filter : summary.filters) filter.cpu_mean_ms.reset();
+  add_bound(record, summary);
   summary.pass.name = "pass";
   summary.pass.wall = statistics_of(counted, [](const StreamSample& s) { return s.pass_ms; });
   summary.latency.name = "end to end";

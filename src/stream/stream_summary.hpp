@@ -24,6 +24,9 @@ struct StreamSummary {
   StreamTimes latency;  ///< from when a frame was due to the sink
   std::vector<StreamTimes> stages;
   double throughput_hz = 0;
+  /// Processor time of all filters for one frame, and the most frames per second that the cores could process
+  /// if nothing else ran on them.
+  std::optional<double> cpu_per_frame_ms, most_hz;
   /// All offered frames were processed and found room before the next one was due; nothing where frames were
   /// offered as fast as they were taken.
   std::optional<bool> is_sustained;

@@ -63,6 +63,14 @@ TEST(StreamSummary, ARateIsSustainedWhereEveryFrameFoundRoomInTime) {
   EXPECT_FALSE(summarize(record).is_sustained);
 }
 
+TEST(StreamSummary, ProcessorTimeBoundsWhatTheCoresCouldDo) {
+  StreamRecord record = steady_record();
+  EXPECT_DOUBLE_EQ(summarize(record).cpu_per_frame_ms.value(), 58);
+  EXPECT_FALSE(summarize(record).most_hz) << "the number of cores is not known";
+  record.load.cores = 2;
+  EXPECT_DOUBLE_EQ(summarize(record).most_hz.value(), 2000.0 / 58);
+}
+
 TEST(StreamSummary, TheClockOfAThreadSaysNothingWhereOthersWorkForIt) {
   StreamRecord record = steady_record();
   record.threads_in_frame = 2;

@@ -33,7 +33,8 @@ class Stream : public ::testing::Test {
   }
   StreamRecord run(
       const PipelineParams& params, const FrameSink& sink = [](Passage&) {}) {
-    StageFilters filters(options_, [&](int count) { return make_cpu_pipelines(count, params, 7); });
+    StageFilters filters(options_,
+                         [&](int count) { return make_cpu_pipelines(count, params, 7, threads_in_frame_); });
     filters.warm_up(frames_.front());
     return run_stream(frames_, FrameSchedule(options_, stamps_s_), options_, filters, sink, stop_signal_);
   }
@@ -67,6 +68,7 @@ class Stream : public ::testing::Test {
   std::vector<FrameInput> frames_;
   std::vector<double> stamps_s_;
   StreamOptions options_;
+  int threads_in_frame_ = 1;
   std::atomic<int> stop_signal_ = 0;
 };
 
@@ -99,6 +101,18 @@ TEST_F(Stream, EveryStageOnItsOwnThreadGivesTheSameToo) {
   options_.filters.clear();
   for (const StageName& stage : stage_names)
     options_.filters.push_back({std::string(stage.key), stage.id, 1});
+  const auto expected = serial_predictions({});
+  std::size_t next = 0;
+  run({}, [&](Passage& passage) { EXPECT_EQ(bytes_of(passage.workspace->result), expected[next++]); });
+  EXPECT_EQ(next, expected.size());
+}
+
+TEST_F(Stream, SeveralThreadsInsideAFrameGiveTheSameToo) {
+#if defined(__SANITIZE_THREAD__)
+  GTEST_SKIP()
+      << "TBB is not built for ThreadSanitizer, which cannot see how its threads wait for each other";
+#endif
+  threads_in_frame_ = 2;
   const auto expected = serial_predictions({});
   std::size_t next = 0;
   run({}, [&](Passage& passage) { EXPECT_EQ(bytes_of(passage.workspace->result), expected[next++]); });
