@@ -18,12 +18,12 @@
 #include "experiment/dataset_text.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/merge.hpp"
+#include "experiment/method_text.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/selftest.hpp"
 #include "experiment/study_expansion.hpp"
 #include "experiment/validation.hpp"
 #include "facet_progress.hpp"
-#include "method/registry.hpp"
 #include "pipeline/stage_id.hpp"
 #include "score/metrics.hpp"
 #include "study/switches.hpp"
@@ -206,9 +206,7 @@ int command_dataset_validate(const std::string& dataset, const std::optional<std
 }
 
 int command_list(const std::string& what) {
-  if (what == "methods")
-    for (const facet::MethodKind& kind : facet::method_kinds())
-      fmt::print("{:<16} {}\n", kind.name, kind.doc);
+  if (what == "methods") fmt::print("{}", facet::describe_methods());
   if (what == "datasets")
     for (const facet::ReaderInfo& reader : facet::readers())
       fmt::print("{:<16} {}\n", reader.name, reader.doc);

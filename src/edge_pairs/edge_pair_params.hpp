@@ -2,12 +2,14 @@
 
 namespace facet {
 
-/// The edge-pair baseline. Lengths in the image at pixel scale, of the gripper in millimetres.
+/// The edge-pair baseline. Its source gives no thresholds: those of the smoothing and of creases are the ones
+/// that served it best on the built-in scenes, the others are usual values or those of the gripper that the
+/// pipeline has.
 struct EdgePairParams {
   int smoothing_px = 5;         ///< side of the bilateral filter after the median, 1 = none, 1..31, odd
   float jump_ratio = 0.02f;     ///< least depth jump, relative to depth, 0..1
   float noise_sigmas = 4;       ///< and in deviations of the sensor's noise, 0..100
-  float crease_deg = 20;        ///< least change of the gradient's direction, 0..180
+  float crease_deg = 40;        ///< least change of the gradient's direction, 0..180
   float gradient_sigmas = 3;    ///< directions of weaker gradients are noise, 0..100
   int depth_guard_px = 3;       ///< no crease this near a depth edge, 0..16
   int min_component_px = 15;    ///< smaller pieces of the edge map are dropped, 0..1000

@@ -27,7 +27,8 @@ struct TimingOptions {
 struct OutputOptions {
   bool predictions = true;
   bool overlays = true;
-  int gallery = 0;  ///< worst frames kept as pictures
+  int gallery = 0;   ///< worst frames kept as pictures
+  int disputed = 0;  ///< frames that the methods disagree on, kept as pictures
 };
 
 /// One parameter of a sweep and the values it takes.

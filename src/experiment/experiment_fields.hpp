@@ -43,6 +43,8 @@ void visit_output_fields(Options& o, Visitor&& visit) {
   visit("predictions", o.predictions, FieldInfo{"", 0, 0, "write label images, edge images and surfaces"});
   visit("overlays", o.overlays, FieldInfo{"", 0, 0, "write pictures of every frame"});
   visit("gallery", o.gallery, FieldInfo{"frames", 0, 10000, "worst frames kept as pictures"});
+  visit("disputed", o.disputed,
+        FieldInfo{"frames", 0, 10000, "frames that the methods disagree on, kept as pictures"});
 }
 
 template <class Options, class Visitor>

@@ -114,6 +114,16 @@ void ExperimentRun::publish_gallery() {
   directory_.publish("gallery/gallery.json", to_json(entries));
 }
 
+void ExperimentRun::publish_disputed() {
+  if (experiment_.outputs.disputed == 0) return;
+  std::vector<GalleryEntry> entries =
+      disputed_frames(rows_, GalleryRequest{}.metric, static_cast<std::size_t>(experiment_.outputs.disputed));
+  if (entries.empty()) return manifest_.notes.push_back("no frame is disputed");
+  for (std::string& problem : draw_disputed(experiment_, plan_, directory_.path(), entries))
+    manifest_.notes.push_back(std::move(problem));
+  directory_.publish("gallery/disputed.json", to_json(entries));
+}
+
 /// Programs are timed whether or not there is a timing pass.
 void ExperimentRun::publish_program_times(const AccuracyPass& pass) {
   std::vector<IoTime> times = pass.work().io_times();
@@ -147,6 +157,7 @@ void ExperimentRun::time_methods(const AccuracyPass& pass) {
 void ExperimentRun::publish_results(const AccuracyPass& pass, bool stopped_early) {
   publish_rows(directory_, experiment_, manifest_, rows_);
   publish_gallery();
+  publish_disputed();
   if (!stopped_early) time_methods(pass);
   // What is paired over all frames is for the whole run: merge does it for shards.
   if (stop_signal_ != 0 || !options_.shard.is_whole()) return;

@@ -26,6 +26,7 @@ class ExperimentRun {
   void publish_results(const AccuracyPass& pass, bool stopped_early);
   void adopt_points();
   void publish_gallery();
+  void publish_disputed();
   void publish_program_times(const AccuracyPass& pass);
   void time_methods(const AccuracyPass& pass);
   int exit_code(bool stopped_early) const;

@@ -28,6 +28,13 @@ std::vector<std::string> draw_gallery(const Experiment& experiment, const Plan& 
                                       const std::filesystem::path& directory,
                                       std::vector<GalleryEntry>& entries);
 
+/// Draws every entry as a strip of the truth and of what every method made of the frame, into
+/// `directory`/gallery/disputed/DATASET/FRAME.png, from the predictions that the run has stored, and names
+/// the file in it. Returns a line for each that cannot be drawn, with the reason.
+std::vector<std::string> draw_disputed(const Experiment& experiment, const Plan& plan,
+                                       const std::filesystem::path& directory,
+                                       std::vector<GalleryEntry>& entries);
+
 /// What `facet gallery` is told.
 struct GalleryRequest {
   std::filesystem::path run;

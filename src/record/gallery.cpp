@@ -96,6 +96,31 @@ std::vector<GalleryEntry> worst_frames(const std::vector<FrameRow>& rows,
                 [sign](const GalleryEntry& e) { return sign * (*e.value - *e.baseline); });
 }
 
+std::vector<GalleryEntry> disputed_frames(const std::vector<FrameRow>& rows, const std::string& name,
+                                          std::size_t count) {
+  const Metric& metric = metric_called(name);
+  const double sign = metric.less_is_better ? -1 : 1;
+  std::map<std::pair<std::string, std::string>, GalleryEntry> frames;
+  for (const GalleryEntry& e : rated(rows, metric)) {
+    const auto [found, is_first] = frames.try_emplace({e.dataset, e.frame}, e);
+    GalleryEntry& entry = found->second;
+    if (is_first) entry.baseline = e.value;
+    entry.picture.clear();
+    if (sign * *e.value > sign * *entry.value) entry.value = e.value, entry.method = e.method;
+    if (sign * *e.value < sign * *entry.baseline) entry.baseline = e.value;
+  }
+  std::vector<GalleryEntry> entries;
+  for (const auto& [key, entry] : frames)
+    if (*entry.value != *entry.baseline) entries.push_back(entry);
+  const auto spread = [sign](const GalleryEntry& e) { return sign * (*e.value - *e.baseline); };
+  std::stable_sort(entries.begin(), entries.end(), [&](const GalleryEntry& a, const GalleryEntry& b) {
+    return a.dataset != b.dataset ? a.dataset < b.dataset : spread(a) > spread(b);
+  });
+  std::map<std::string, std::size_t> kept;
+  std::erase_if(entries, [&](const GalleryEntry& e) { return ++kept[e.dataset] > count; });
+  return entries;
+}
+
 std::string to_json(const std::vector<GalleryEntry>& entries) {
   Json list = Json::array();
   for (const GalleryEntry& e : entries) {

@@ -28,6 +28,12 @@ std::vector<GalleryEntry> worst_frames(const std::vector<FrameRow>& rows,
                                        const std::vector<FrameRow>& baseline, const std::string& metric,
                                        std::size_t count);
 
+/// Of every data set the `count` frames in which a metric differs most between methods, most first: an entry
+/// names the method with the best value, with that as `value` and the worst as `baseline`. Frames without two
+/// different values are left out. Throws Error{usage} where no metric has that name.
+std::vector<GalleryEntry> disputed_frames(const std::vector<FrameRow>& rows, const std::string& metric,
+                                          std::size_t count);
+
 /// gallery/gallery.json.
 std::string to_json(const std::vector<GalleryEntry>& entries);
 /// Throws Error{data} for anything else.

@@ -69,6 +69,8 @@ RunRecord read_run(const fs::path& directory) {
     run.scores = score_results_from_json(text);
   if (const std::string text = read_text_if_any(directory / "gallery/gallery.json"); !text.empty())
     run.gallery = gallery_from_json(text);
+  if (const std::string text = read_text_if_any(directory / "gallery/disputed.json"); !text.empty())
+    run.disputed = gallery_from_json(text);
   for (const char* file : {"metrics/ablation.json", "timing/ablation.json"})
     if (const std::string text = read_text_if_any(directory / file); !text.empty())
       for (AblationRow& row : ablation_from_json(text)) run.ablation.push_back(std::move(row));

@@ -33,6 +33,7 @@ struct RunRecord {
   TimingTable timing;
   std::vector<IoTime> io_times;
   std::vector<GalleryEntry> gallery;
+  std::vector<GalleryEntry> disputed;  ///< frames that the methods disagree on, of gallery/disputed.json
   std::optional<Calibration> calibration;
   std::vector<AblationRow> ablation;                             ///< scores, then costs
   std::vector<SweepRow> sweep;                                   ///< scores, then times

@@ -5,14 +5,18 @@
 
 namespace facet {
 
-/// What a run measured: summary, detection in the layout of the paper's Table 2, times in the layout of the
-/// paper's Table 3, its Figure 12, curves, invariance, surfaces found per frame, failures, pictures, details,
-/// provenance.
+/// What a run measured: summary, detection in the layout of the paper's Table 2, methods side by side, times
+/// in the layout of the paper's Table 3, its Figure 12, curves, invariance, surfaces found per frame,
+/// failures, pictures, details, provenance.
 Report make_run_report(const RunRecord& run);
 
 // Its sections, one file each.
 ReportSection summary_section(const RunRecord& run);
 ReportSection detection_section(const RunRecord& run);
+/// Of runs of two methods or more: their scores with paired differences, and accuracy against latency.
+ReportSection methods_section(const RunRecord& run);
+/// The frames that the methods disagree on.
+ReportSection disputed_section(const RunRecord& run);
 ReportSection score_detail_section(const RunRecord& run);
 ReportSection ablation_section(const RunRecord& run);
 ReportSection sweep_section(const RunRecord& run);

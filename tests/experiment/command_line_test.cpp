@@ -186,6 +186,7 @@ TEST_F(CommandLine, ReportRendersAStoredRunAgain) {
 TEST_F(CommandLine, ListsAndDoctorAnswerOnStdout) {
   EXPECT_THAT(facet.run({"list", "datasets"}).out, HasSubstr("synthetic"));
   EXPECT_THAT(facet.run({"list", "methods"}).out, HasSubstr("pipeline"));
+  EXPECT_THAT(facet.run({"list", "methods"}).out, HasSubstr("timeout_s = 60"));
   EXPECT_THAT(facet.run({"list", "stages"}).out, HasSubstr("crease_canny"));
   EXPECT_THAT(facet.run({"list", "metrics"}).out, HasSubstr("surfaces"));
   EXPECT_THAT(facet.run({"doctor"}).out, HasSubstr("\"cpu\""));

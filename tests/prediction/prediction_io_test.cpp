@@ -121,6 +121,24 @@ TEST(PredictionIo, what_is_written_is_read_back_to_the_last_bit) {
   EXPECT_EQ(read.note, written.note);
 }
 
+TEST(PredictionIo, grasps_of_no_surface_are_read_back) {
+  const TemporaryFolder folder;
+  Prediction prediction;
+  prediction.labels = Image<std::uint16_t>(Size{7, 5}, 0);
+  prediction.grasps = {{planar_surface(1, 1).grasps[0], {0.6f, 0, 0.8f}}};
+  prediction.grasps.push_back(prediction.grasps[0]);
+  prediction.grasps[1].approach_axis.x = std::numeric_limits<float>::quiet_NaN();
+  write_prediction(prediction, folder.path() / "f");
+  const Prediction read = read_prediction(folder.path() / "f", {7, 5});
+  ASSERT_EQ(read.grasps.size(), 1u) << "one that is not finite is left out";
+  EXPECT_EQ(read.grasps[0].approach_axis, (Vec3{0.6f, 0, 0.8f}));
+  EXPECT_EQ(read.grasps[0].grasp.contacts_m, prediction.grasps[0].grasp.contacts_m);
+  EXPECT_TRUE(read.surfaces.empty());
+  expect_error(ErrorKind::data, "is 7x5 but the frame is 8x5", [&] {
+    read_prediction(folder.path() / "f", {8, 5});
+  });
+}
+
 TEST(PredictionIo, an_empty_prediction_survives) {
   const TemporaryFolder folder;
   Prediction written;

@@ -32,6 +32,21 @@ TEST(WorstFrames, AreTheLowestOfEveryMethodWorstFirst) {
   EXPECT_EQ(worst[2].method, "n");
 }
 
+TEST(DisputedFrames, AreThoseWithTheLargestSpreadAndNameTheBestMethod) {
+  const std::vector<FrameRow> rows{row_with("a", "m", 3, 4), row_with("a", "n", 2, 4),
+                                   row_with("b", "m", 0, 4), row_with("b", "n", 4, 4),
+                                   row_with("c", "m", 1, 4), row_with("c", "n", 1, 4)};
+  const auto disputed = disputed_frames(rows, "surface_recall_0.5", 5);
+  ASSERT_EQ(disputed.size(), 2u);
+  EXPECT_EQ(disputed[0].frame, "b");
+  EXPECT_EQ(disputed[0].method, "n");
+  EXPECT_EQ(*disputed[0].value, 1);
+  EXPECT_EQ(*disputed[0].baseline, 0);
+  EXPECT_EQ(disputed[1].frame, "a");
+  EXPECT_EQ(disputed[1].method, "m");
+  EXPECT_EQ(disputed_frames(rows, "surface_recall_0.5", 1).size(), 1u);
+}
+
 TEST(WorstFrames, AFrameWithoutTruthIsInNoGallery) {
   FrameRow row = row_with("a", "m", 1, 1);
   row.score.reset();

@@ -56,6 +56,18 @@ TEST(TimingSummary, StagesAndUnattributedRestSumToTheTotal) {
   EXPECT_NEAR(*s.pose_per_surface_ms, 0.5, 1e-12);
 }
 
+TEST(TimingSummary, AMethodWithoutStagesHasATotalAlone) {
+  TimingTable table = table_of(3, 10);
+  for (TimingSample& sample : table.samples) sample.stage_ms.clear();
+  const TimingTable read = timing_from_csv(to_csv(table));
+  EXPECT_TRUE(read.samples[0].stage_ms.empty());
+  const TimingSummary s = summarize_timing(read)[0];
+  EXPECT_EQ(s.total.n, 29);
+  EXPECT_EQ(s.unattributed.n, 0);
+  EXPECT_EQ(s.pose.n, 0);
+  for (const NamedTimes& stage : s.stages) EXPECT_EQ(stage.times.n, 0) << stage.name;
+}
+
 TEST(TimingSummary, TheFirstRunIsNotAmongTheSteadyOnes) {
   const auto s = summarize_timing(table_of(3, 10))[0];
   EXPECT_EQ(s.total.n, 29);

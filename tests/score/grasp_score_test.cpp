@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "score/desk.hpp"
+#include "score/frame_score.hpp"
 #include "score/truth_prediction.hpp"
 
 namespace facet {
@@ -55,6 +56,20 @@ TEST_F(GraspScoreOfTheDesk, AnUndetectedSurfaceLosesItsObjectsCompletenessAlone)
   const GraspScore s = score();
   EXPECT_EQ(s.objects_all_surfaces, (Tally{1, 2}));
   EXPECT_EQ(s.objects_grasp, (Tally{2, 2}));
+}
+
+TEST_F(GraspScoreOfTheDesk, GraspsOfNoSurfaceCountByEdgesToo) {
+  prediction.labels.fill(0);
+  for (const Surface& surface : prediction.surfaces)
+    for (const Grasp& grasp : surface.grasps) prediction.grasps.push_back({grasp, {0, 0, 1}});
+  prediction.surfaces.clear();
+  EXPECT_EQ(score().surfaces_by_grasp, (Tally{3, 3}));
+  EXPECT_EQ(score().objects_by_grasp, (Tally{2, 2}));
+  const PredictedParts parts = parts_of(prediction);
+  EXPECT_FALSE(parts.regions);
+  EXPECT_TRUE(parts.grasps);
+  prediction.grasps.clear();
+  EXPECT_TRUE(parts_of(prediction).regions) << "nothing found is not nothing yielded";
 }
 
 TEST_F(GraspScoreOfTheDesk, GraspsCountByEdgesEvenWithoutRegions) {
