@@ -23,15 +23,15 @@ std::span<const ReaderInfo> readers() {
        folder_options(), true, open_folder, nullptr},
       {"synthetic", "built-in scenes of boxes and cylinders on a table, with the noise of a Kinect v1",
        synthetic_options(), false, open_synthetic, nullptr},
-      {"benchmark",
-       "a synthetic benchmark with truth: its spec (rendered when read) or a folder written from it",
-       benchmark_options(), true, open_benchmark, inspect_benchmark, is_benchmark},
       {"tum", "a sequence of the TUM RGB-D benchmark: depth.txt, rgb.txt, groundtruth.txt", tum_options(),
        true, open_tum, nullptr, is_tum},
       {"seven_scenes", "a sequence of 7-Scenes: frame-NUMBER.depth.png and .pose.txt", seven_scenes_options(),
        true, open_seven_scenes, nullptr, is_seven_scenes},
       {"azure_mkv", "an .mkv that the Azure Kinect's recorder wrote: its depth track", azure_mkv_options(),
        true, open_azure_mkv, nullptr, is_mkv},
+      {"benchmark",
+       "a synthetic benchmark with truth: its spec (rendered when read) or a folder written from it",
+       benchmark_options(), true, open_benchmark, inspect_benchmark, is_benchmark},
   }};
   return table;
 }

@@ -37,7 +37,8 @@ struct ReaderInfo {
   std::unique_ptr<Dataset> (*open)(const DatasetSpec& spec);
   /// What `verify` adds for this reader (expected frames, checksums); null where there is nothing to add.
   void (*inspect)(const DatasetSpec& spec, DatasetReport& report);
-  /// Whether a path is of its layout and of no other reader's; null where that cannot be seen.
+  /// Whether a path may be of its layout: the first reader that says so reads it. Null where that cannot
+  /// be seen.
   bool (*recognises)(const std::filesystem::path& path) = nullptr;
 };
 

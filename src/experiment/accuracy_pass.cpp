@@ -107,9 +107,10 @@ std::vector<FrameRow> AccuracyPass::run() {
 
 void AccuracyPass::run_unit(const Unit& unit, Method& method) {
   method.reset_history();
+  StabilityTracker tracker;
   for (const std::size_t frame : unit.frames) {
     if (should_stop()) return;
-    const auto [row, finished_before] = work_.evaluate(unit, frame, method);
+    const auto [row, finished_before] = work_.evaluate(unit, frame, method, tracker);
     add_row(row, finished_before);
   }
 }

@@ -52,6 +52,11 @@ std::string kind_of(const DatasetSpec& spec, const std::string& frame) {
   return {};
 }
 
+SequenceRow sequence_row(const Frame& frame, const Prediction& prediction, StabilityTracker& tracker) {
+  const StabilityInput input{frame.depth_m.view(), frame.camera, frame.T_world_camera, prediction};
+  return {frame.timestamp_s, frame.T_world_camera.has_value(), prediction.window, tracker.next(input)};
+}
+
 }  // namespace
 
 void FrameWork::keep_finished(const std::vector<FrameRow>& rows) {
@@ -61,7 +66,8 @@ void FrameWork::keep_finished(const std::vector<FrameRow>& rows) {
       finished_[{row.dataset, row.frame, row.method}] = row;
 }
 
-std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t index, Method& method) {
+std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t index, Method& method,
+                                              StabilityTracker& tracker) {
   const Dataset& data = *plan_.datasets[unit.dataset].data;
   FrameRow row;
   row.dataset = data.name();
@@ -90,11 +96,13 @@ std::pair<FrameRow, bool> FrameWork::evaluate(const Unit& unit, std::size_t inde
     row.status = FrameStatus::method_error;
     StageTimes times;
     method.process(frame, prediction, times);
+    if (data.is_sequence()) row.sequence = sequence_row(frame, prediction, tracker);
     if (finished) return {done->second, true};
     note_program_time(unit, row, times);
     if (truth) row.score = score_frame(*truth, prediction, predicted_parts(unit, prediction));
   } catch (const std::exception& e) {
     row.reason = escaped_utf8(e.what());
+    tracker.interrupt();
     if (row.status == FrameStatus::method_error && truth) row.score = score_missing_prediction(*truth);
     return {row, false};
   }

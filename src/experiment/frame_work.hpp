@@ -38,7 +38,9 @@ class FrameWork {
   void keep_finished(const std::vector<FrameRow>& rows);
   /// The row of frame `frame` of the unit's data set, and whether it was finished before. A frame that cannot
   /// be read or processed gives a row that says so; outputs that cannot be written throw.
-  std::pair<FrameRow, bool> evaluate(const Unit& unit, std::size_t frame, Method& method);
+  /// `tracker` follows the unit's sequence, whose frames come in order.
+  std::pair<FrameRow, bool> evaluate(const Unit& unit, std::size_t frame, Method& method,
+                                     StabilityTracker& tracker);
 
   const DataLock& data_lock() const { return data_lock_; }
   DataLock& data_lock() { return data_lock_; }

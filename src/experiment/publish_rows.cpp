@@ -4,6 +4,7 @@
 
 #include "experiment/sweep_plan.hpp"
 #include "record/outcome_csv.hpp"
+#include "record/sequence_summary.hpp"
 #include "report/timing_summary.hpp"
 #include "study/ablation_effects.hpp"
 
@@ -71,6 +72,8 @@ void publish_rows(const RunDirectory& directory, const Experiment& experiment, c
   directory.publish("metrics/frames.csv", frames_csv(rows));
   directory.publish("metrics/surfaces.csv", surfaces_csv(rows));
   directory.publish("metrics/edges.csv", edges_csv(rows));
+  if (const auto sequences = summarize_sequences(rows); !sequences.empty())
+    directory.publish("metrics/sequences.json", sequences_json(sequences));
   directory.publish("metrics/summary.json",
                     metrics_summary_json(manifest, rows, wanted_scores(experiment, rows)));
 }

@@ -12,8 +12,10 @@ class PipelineMethod final : public Method {
   explicit PipelineMethod(std::unique_ptr<Pipeline> pipeline) : pipeline_(std::move(pipeline)) {}
 
   void process(const Frame& frame, Prediction& prediction, StageTimes& times) override {
-    pipeline_->process({frame.depth_m.view(), frame.camera}, result_);
+    pipeline_->process({frame.depth_m.view(), frame.camera, frame.timestamp_s, frame.T_world_camera},
+                       result_);
     times = result_.times;
+    prediction.window = result_.window;
     // Swapped, not copied: both sides keep their memory for the next frame.
     std::swap(prediction.labels, result_.labels);
     std::swap(prediction.edges, result_.edges);

@@ -29,6 +29,11 @@ void visit_fields(Params& p, Visitor&& visit) {
   visit("temporal.mode", p.temporal.mode, FieldInfo{"", 0, 0, "mean (eq. 3) or robust mean"});
   visit("temporal.frames", p.temporal.frames,
         FieldInfo{"frames", 1, 16, "window, the current frame included"});
+  visit("temporal.max_gap_s", p.temporal.max_gap_s,
+        FieldInfo{"s", 0, 3600, "a longer gap in time ends a window; 0 = none does"});
+  visit("temporal.max_motion_sigmas", p.temporal.max_motion_sigmas,
+        FieldInfo{"sigma", 0, 100,
+                  "motion of the camera that changes depths by more ends a window; 0 = none does"});
 
   visit("outline.fattening_px", p.outline.fattening_px,
         FieldInfo{"px", -1, 8, "near outlines are trimmed by this much; -1 = by what the sensor adds"});

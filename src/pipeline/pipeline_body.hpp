@@ -8,6 +8,7 @@
 #include "pipeline/params.hpp"
 #include "pipeline/result.hpp"
 #include "pipeline/stage_range.hpp"
+#include "pipeline/temporal_window.hpp"
 #include "stage/basins.hpp"
 #include "stage/edge_distance.hpp"
 #include "stage/hysteresis.hpp"
@@ -31,7 +32,7 @@ namespace facet {
 template <class Executor>
 class PipelineBody {
  public:
-  using History = TemporalHistory<Executor>;
+  using History = TemporalWindow<Executor>;
 
   /// Bodies that take turns with the frames of one sequence share its `history`.
   PipelineBody(Executor& executor, const PipelineParams& params, std::uint64_t seed,
@@ -50,8 +51,7 @@ class PipelineBody {
     };
     if (stages.contains(StageId::temporal)) restart(frame, result);
     executor_.timed(result.times.total_ms, [&] {
-      if (stages.contains(StageId::temporal)) take_in(frame.depth_m);
-      stage(StageId::temporal, [&] { average_frames(); });
+      stage(StageId::temporal, [&] { average_frames(frame, result); });
       stage(StageId::fill, [&] {
         trim_near_outlines();
         fill_holes(b_.averaged.view());
@@ -91,16 +91,12 @@ class PipelineBody {
     result.times = {};
   }
 
-  void take_in(ImageView<const float> depth_m) {
-    if (params_.temporal.enabled)
-      history_->push(executor_, depth_m, params_.temporal.frames);
-    else
-      executor_.upload(depth_m, b_.averaged.view());
-  }
-
-  void average_frames() {  // section 3.4.2, eq. 3
-    if (!params_.temporal.enabled) return;
-    temporal_average(executor_, params_.temporal, noise_, *history_, b_.averaged.view());
+  void average_frames(const FrameInput& frame, FrameResult& result) {  // section 3.4.2, eq. 3
+    result.window = {};
+    if (!params_.temporal.enabled) return executor_.upload(frame.depth_m, b_.averaged.view());
+    history_->take(executor_, params_.temporal, noise_, frame);
+    temporal_average(executor_, params_.temporal, noise_, history_->frames(), b_.averaged.view());
+    result.window = history_->use();
   }
 
   void trim_near_outlines() {

@@ -5,18 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "core/camera.hpp"
 #include "core/image.hpp"
+#include "core/window_use.hpp"
+#include "pipeline/frame_input.hpp"
 #include "pipeline/stage_id.hpp"
 #include "surface/surface.hpp"
 
 namespace facet {
-
-/// Input of the pipeline: one decoded depth frame.
-struct FrameInput {
-  ImageView<const float> depth_m;  ///< metres along the optical axis, 0 = missing
-  Camera camera;
-};
 
 /// Wall times of one frame [ms].
 struct StageTimes {
@@ -37,6 +32,7 @@ struct FrameResult {
   std::vector<Surface> surfaces;
   std::vector<RejectedRegion> rejected;
   std::string note;  ///< why there is no surface at all, empty otherwise
+  WindowUse window;  ///< frames that were averaged
   StageTimes times;
 };
 

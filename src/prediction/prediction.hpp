@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/image.hpp"
+#include "core/window_use.hpp"
 #include "surface/surface.hpp"
 
 namespace facet {
@@ -27,6 +28,7 @@ struct Prediction {
   std::vector<RejectedRegion> rejected;
   std::vector<FreeGrasp> grasps;  ///< those that belong to no surface, best first
   std::string note;               ///< why there is no surface at all, empty otherwise
+  WindowUse window;               ///< frames it was made from; not stored
 };
 
 }  // namespace facet

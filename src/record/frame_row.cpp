@@ -53,6 +53,12 @@ void visit_row(Row& row, Visitor&& visit) {
   visit("score", row.score);
 }
 
+/// Keys that rows of earlier versions lack.
+template <class Row, class Visitor>
+void visit_later_keys(Row& row, Visitor&& visit) {
+  visit("sequence", row.sequence);
+}
+
 /// The value of a metric in one frame; empty where it has none.
 std::string value_text(const FrameRow& row, const Metric& metric) {
   if (!row.score || !metric.is_annotated(*row.score)) return {};
@@ -73,14 +79,18 @@ bool row_before(const FrameRow& a, const FrameRow& b) {
 
 std::string to_json_line(const FrameRow& row) {
   Json json = Json::object();
-  visit_row(row, [&](const char* key, const auto& value) {
+  const auto write = [&](const char* key, const auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, FrameStatus>)
       json[key] = std::string(status_name(value));
     else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<FrameScore>>)
       json[key] = value ? Json(score_to_json(*value)) : Json(nullptr);
+    else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<SequenceRow>>)
+      json[key] = value ? sequence_to_json(*value) : Json(nullptr);
     else
       json[key] = value;
-  });
+  };
+  visit_row(row, write);
+  visit_later_keys(row, write);
   return json.dump() + '\n';
 }
 
@@ -95,6 +105,9 @@ FrameRow frame_row_from_json(std::string_view line) {
         if (!json.at(key).is_null()) value = score_from_json(json.at(key));
       } else
         json.at(key).get_to(value);
+    });
+    visit_later_keys(row, [&](const char* key, std::optional<SequenceRow>& value) {
+      if (json.contains(key) && !json.at(key).is_null()) value = sequence_from_json(json.at(key));
     });
   } catch (const nlohmann::json::exception& e) {
     throw Error(ErrorKind::data, std::string("not a frame row: ") + e.what());

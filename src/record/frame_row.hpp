@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "record/sequence_row.hpp"
 #include "score/frame_score.hpp"
 
 namespace facet {
@@ -47,6 +48,7 @@ struct FrameRow {
   std::vector<std::string> pictures;    ///< paths relative to the run directory
   std::string truth_source;             ///< where its truth is from; empty: it is not annotated
   std::optional<FrameScore> score;      ///< of annotated frames that could be read
+  std::optional<SequenceRow> sequence;  ///< of the frames of a sequence that were processed
 };
 
 /// Order of the published rows: data set, frame, method.

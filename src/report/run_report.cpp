@@ -73,11 +73,11 @@ ReportSection provenance_section(const RunRecord& run) {
 Report make_run_report(const RunRecord& run) {
   Report report;
   report.title = "Facet: " + run.manifest.experiment;
-  report.sections = {summary_section(run),       detection_section(run), methods_section(run),
-                     disputed_section(run),      timing_section(run),    clutter_section(run),
-                     curve_section(run),         level_section(run),     surfaces_section(run),
-                     failures_section(run),      picture_section(run),   score_detail_section(run),
-                     timing_detail_section(run), provenance_section(run)};
+  report.sections = {summary_section(run),      detection_section(run),     methods_section(run),
+                     disputed_section(run),     sequence_section(run),      timing_section(run),
+                     clutter_section(run),      curve_section(run),         level_section(run),
+                     surfaces_section(run),     failures_section(run),      picture_section(run),
+                     score_detail_section(run), timing_detail_section(run), provenance_section(run)};
   std::erase_if(report.sections, [](const ReportSection& section) {
     return section.paragraphs.empty() && section.tables.empty() && section.pictures.empty();
   });

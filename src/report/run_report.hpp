@@ -5,9 +5,9 @@
 
 namespace facet {
 
-/// What a run measured: summary, detection in the layout of the paper's Table 2, methods side by side, times
-/// in the layout of the paper's Table 3, its Figure 12, curves, invariance, surfaces found per frame,
-/// failures, pictures, details, provenance.
+/// What a run measured: summary, detection in the layout of the paper's Table 2, methods side by side,
+/// stability over sequences, times in the layout of the paper's Table 3, its Figure 12, curves, invariance,
+/// surfaces found per frame, failures, pictures, details, provenance.
 Report make_run_report(const RunRecord& run);
 
 // Its sections, one file each.
@@ -22,6 +22,7 @@ ReportSection ablation_section(const RunRecord& run);
 ReportSection sweep_section(const RunRecord& run);
 ReportSection timing_section(const RunRecord& run);
 ReportSection timing_detail_section(const RunRecord& run);
+ReportSection sequence_section(const RunRecord& run);
 ReportSection clutter_section(const RunRecord& run);
 ReportSection curve_section(const RunRecord& run);
 ReportSection level_section(const RunRecord& run);

@@ -15,7 +15,11 @@ enum class TemporalMode {
 struct TemporalParams {
   bool enabled = true;
   TemporalMode mode = TemporalMode::robust;
-  int frames = 5;  ///< window, the current frame included [frames], 1..16
+  int frames = 5;          ///< window, the current frame included [frames], 1..16
+  float max_gap_s = 0.2f;  ///< a window ends where the next frame is later by more [s], 0..3600; 0 = never
+  /// A window ends where the camera's motion has changed the depths by more, as root mean square, in
+  /// deviations of the sensor's noise [sigma], 0..100; 0 = never.
+  float max_motion_sigmas = 0.07f;
 };
 
 inline constexpr int max_temporal_frames = 16;
@@ -66,7 +70,8 @@ struct TemporalAverageOp {
 template <class Executor>
 class TemporalHistory {
  public:
-  /// Adds a frame from host memory; with `window` frames kept it replaces the oldest. A frame of another size starts over.
+  /// Adds a frame from host memory; with `window` frames kept it replaces the oldest. A frame of another size
+  /// starts over.
   void push(Executor& executor, ImageView<const float> depth_m, int window) {
     if (count_ > 0 && frames_[0].size() != depth_m.size()) clear();
     int slot = oldest_;

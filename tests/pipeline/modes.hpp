@@ -29,6 +29,7 @@ inline PipelineParams naive_params() {
 inline PipelineParams paper_params() {
   PipelineParams p;
   p.temporal.mode = TemporalMode::mean;
+  p.temporal.max_motion_sigmas = 0;
   p.outline.fattening_px = 0;
   p.fill.prefer = FillPrefer::nearest;
   p.fill.max_hole_px = 0;
