@@ -112,7 +112,9 @@ ListedDataset::ListedDataset(const DatasetSpec& spec, Sensor sensor, std::vector
 
 std::optional<FrameAnnotation> ListedDataset::annotation(std::size_t index, const Frame& frame) const {
   const Image<std::uint16_t> masks = masks_of(frame);
-  for (const std::filesystem::path& folder : annotation_folders_)
+  std::vector<std::filesystem::path> folders = annotation_folders_;
+  if (is_sequence() && !frame.files.empty()) folders.push_back(frame.files.front().parent_path());
+  for (const std::filesystem::path& folder : folders)
     if (auto found = read_frame_annotation(folder, frame_id(index), frame.depth_m.size(), masks))
       return found;
   if (masks.empty()) return std::nullopt;

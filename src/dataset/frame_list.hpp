@@ -44,8 +44,8 @@ class ListedDataset : public Dataset {
   Sensor sensor() const override { return sensor_; }
   std::size_t size() const override { return ids_.size(); }
   std::string frame_id(std::size_t index) const override { return ids_.at(index); }
-  /// From the folder that the spec names, else from `truth` below the root, else the masks that came with the
-  /// frame.
+  /// From the folder that the spec names, else from `truth` below the root, else, of a sequence, from beside
+  /// the depth image, else the masks that came with the frame.
   std::optional<FrameAnnotation> annotation(std::size_t index, const Frame& frame) const override;
 
  private:

@@ -23,13 +23,6 @@ std::string group_line(const FrameGroup& group) {
   return text + '\n';
 }
 
-/// Truth that comes with the program, where it still lies beside its sources.
-DatasetSpec with_shipped_annotations(DatasetSpec spec) {
-  const std::filesystem::path folder = std::filesystem::path(FACET_DATASETS) / spec.name / "annotations";
-  if (std::filesystem::is_directory(folder)) spec.annotations = folder;
-  return spec;
-}
-
 /// The reader whose layout a path has.
 std::string reader_of(const std::filesystem::path& path) {
   for (const ReaderInfo& reader : readers())
@@ -38,6 +31,12 @@ std::string reader_of(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+DatasetSpec with_shipped_annotations(DatasetSpec spec) {
+  const std::filesystem::path folder = std::filesystem::path(FACET_DATASETS) / spec.name / "annotations";
+  if (std::filesystem::is_directory(folder)) spec.annotations = folder;
+  return spec;
+}
 
 DatasetSpec dataset_called(const std::string& name_or_folder) {
   std::vector<std::string> names;

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "experiment/data_root.hpp"
+#include "experiment/dataset_text.hpp"
 #include "file/file_bytes.hpp"
 
 namespace facet {
@@ -23,6 +24,10 @@ PlannedDataset open_planned(const DatasetSpec& spec, const RunOptions& options, 
   PlannedDataset planned;
   planned.spec = locate(spec, find_data_root(options.data_root));
   planned.data = open_dataset(planned.spec);
+  if (planned.data->is_sequence() && planned.spec.annotations.empty()) {
+    planned.spec = with_shipped_annotations(planned.spec);
+    if (!planned.spec.annotations.empty()) planned.data = open_dataset(planned.spec);
+  }
   if (planned.data->size() == 0)
     throw Error(ErrorKind::data,
                 fmt::format("data set '{}': no frames in {}", spec.name, printable(planned.spec.root)));

@@ -96,6 +96,19 @@ TEST_F(TumReader, reads_selected_frames_and_refuses_unknown_ones) {
   expect_error(ErrorKind::data, "has no frame 9", [&] { open_dataset(spec_); });
 }
 
+TEST_F(TumReader, finds_truth_beside_a_frame) {
+  write("depth/1.03.json",
+        R"({"version": "5.0.1", "flags": {"pixel_centres": true}, "imagePath": "x", "imageData": null,
+            "imageHeight": 24, "imageWidth": 32, "shapes": [{"label": "surface/1", "group_id": 1, "shape_type":
+            "polygon", "flags": {"graspable": true}, "points": [[2, 2], [20, 2], [20, 20], [2, 20]]}]})");
+  const auto data = open_dataset(spec_);
+  EXPECT_FALSE(data->annotation(0, data->load(0)));
+  const auto found = data->annotation(1, data->load(1));
+  ASSERT_TRUE(found);
+  ASSERT_TRUE(found->truth);
+  EXPECT_EQ(found->truth->surfaces.size(), 1u);
+}
+
 TEST_F(TumReader, refuses_a_folder_of_another_layout) {
   std::filesystem::remove(folder_.path() / "depth.txt");
   EXPECT_FALSE(is_tum(folder_.path()));
