@@ -28,9 +28,11 @@ Vector6 vector_of(const std::array<double, 6>& values) {
   return Vector6(values.data());
 }
 
-int block_side_px(const ImageView<const float>& depth_m) {
-  const double area = static_cast<double>(depth_m.width) * depth_m.height;
-  return std::max(1, static_cast<int>(std::ceil(std::sqrt(area / most_blocks))));
+/// Blocks are so large that neighbours share no readings, and no more than can be looked at.
+int block_side_px(const ImageView<const float>& depth_m, const DepthNoise& noise) {
+  const double area_px = static_cast<double>(depth_m.width) * depth_m.height;
+  const double block_px = std::max(area_px / most_blocks, double{noise.pixels_per_reading});
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(block_px))));
 }
 
 /// The mean of what is measured in a block; 0 where that is too little.
@@ -51,7 +53,7 @@ float mean_of_block(const ImageView<const float>& depth_m, int side_px, int bloc
 
 void CameraMotion::start_from(const FrameInput& frame, const DepthNoise& noise) {
   const ImageView<const float>& depth = frame.depth_m;
-  side_px_ = block_side_px(depth);
+  side_px_ = block_side_px(depth, noise);
   T_world_camera_ = frame.T_world_camera;
   means_m_.resize({depth.width / side_px_, depth.height / side_px_});
   for (int y = 0; y < means_m_.height(); ++y)
