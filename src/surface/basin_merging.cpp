@@ -77,33 +77,32 @@ void BasinMerging::judge(int i) {
   std::push_heap(candidates_.begin(), candidates_.end(), is_later);
 }
 
-/// Whether a patch fitted to both regions explains them as well as two do: what it adds to the squares is
+/// Whether the patch fitted to both regions explains them as well as two do: what it adds to the squares is
 /// noise or, over the smaller region, within the tolerated step.
-bool BasinMerging::is_one_patch(int a, int b) const {
-  const PatchMoments &of_a = graph_.basin(a).moments, &of_b = graph_.basin(b).moments;
-  PatchMoments both = of_a;
-  both += of_b;
-  const double added = fitted(both).squares() - fits_[static_cast<std::size_t>(a)].squares() -
+bool BasinMerging::explains_both(const PatchFit& fit, const PatchMoments& both, int a, int b) const {
+  const double added = fit.squares() - fits_[static_cast<std::size_t>(a)].squares() -
                        fits_[static_cast<std::size_t>(b)].squares();
+  const double fewer_px = std::min(graph_.basin(a).moments.count(), graph_.basin(b).moments.count());
   const double step = double{params_.step_ratio} * both.mean_q();
-  return added <
-         chi_square_6_99 * reading_variance(both) + std::min(of_a.count(), of_b.count()) * step * step;
+  return added < chi_square_6_99 * reading_variance(both) + fewer_px * step * step;
 }
 
 void BasinMerging::join_across(int i) {
   const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
-  if (!is_one_patch(a, b)) return;
+  PatchMoments both = graph_.basin(a).moments;
+  both += graph_.basin(b).moments;
+  const PatchFit fit = fitted(both);
+  if (!explains_both(fit, both, a, b)) return;
   const std::span<const int> touched = graph_.join(a, b);
   const int region = graph_.find(a);
-  const PatchMoments& moments = graph_.basin(region).moments;
-  fits_[static_cast<std::size_t>(region)] = fitted(moments);
+  fits_[static_cast<std::size_t>(region)] = fit;
   double& judged_px = judged_px_[static_cast<std::size_t>(region)];
   judged_px = std::max(judged_px_[static_cast<std::size_t>(a)], judged_px_[static_cast<std::size_t>(b)]);
-  if (moments.count() < patch_growth * judged_px) {
+  if (both.count() < patch_growth * judged_px) {
     for (const int k : touched) judge(k);
     return;
   }
-  judged_px = moments.count();
+  judged_px = both.count();
   graph_.for_each_border_of(region, [this](int k) {
     if (has_changed(k, patch_growth)) judge(k);
   });

@@ -57,7 +57,7 @@ class BasinMerging {
   PatchFit fitted(const PatchMoments& moments) const;
   bool has_changed(int border, double growth);
   void judge(int border);
-  bool is_one_patch(int a, int b) const;
+  bool explains_both(const PatchFit& fit, const PatchMoments& both, int a, int b) const;
   void join_across(int border);
   void join_alike(float most_strength);
 
