@@ -40,45 +40,59 @@ struct DepthGradientStrengthOp {
   }
 };
 
-/// Depth discontinuity without Canny: a 4-neighbour lies deeper than the planes on both sides predict. Works
-/// in inverse depth, where a plane is exactly affine in pixels, so a steep plane is no jump. The mark is set
-/// on the nearer pixel: the occluding side owns the edge.
-struct DepthJumpOp {
-  static constexpr int radius = 3;
-  ImageView<const float> depth_m;
+/// A depth [m] and its inverse [1/m].
+struct DepthReading {
+  float m, inverse;
+};
+
+/// Whether a neighbour lies deeper than the planes on both sides predict. Works in inverse depth, where a
+/// plane is exactly affine in pixels, so a steep plane is no jump.
+struct DepthJump {
   float jump_ratio;
   float noise_sigmas;
   DepthNoise noise;
+
+  /// `far`: the neighbour; `before`: two pixels to the other side; `beyond`: three pixels to the neighbour's.
+  FACET_HD bool operator()(DepthReading here, DepthReading before, DepthReading far,
+                           DepthReading beyond) const {
+    const float by_noise = noise_sigmas * noise.sigma_m(here.m);
+    const float by_ratio = jump_ratio * here.m;
+    const float least_m = by_noise > by_ratio ? by_noise : by_ratio;
+    const float step = here.inverse - far.inverse;
+    const float near_slope = slope(before, here, by_ratio), far_slope = slope(far, beyond, by_ratio);
+    const float slope_max = near_slope > far_slope ? near_slope : far_slope;
+    return (here.m > 0) & (far.m > here.m) & ((step - slope_max) * here.m * here.m > least_m);
+  }
+
+ private:
+  /// Fall of inverse depth per pixel over a baseline of two pixels, 0 where it is unknown, rises, or jumps
+  /// itself.
+  FACET_HD static float slope(DepthReading from, DepthReading to, float jump_m) {
+    const bool known = (from.m > 0) & (to.m > from.m) & !(to.m - from.m > 2 * jump_m);
+    return known ? 0.5f * (from.inverse - to.inverse) : 0.0f;
+  }
+};
+
+/// Depth discontinuity without Canny: a jump to a 4-neighbour. The mark is set on the nearer pixel: the
+/// occluding side owns the edge.
+struct DepthJumpOp {
+  static constexpr int radius = 3;
+  ImageView<const float> depth_m;
+  DepthJump is_jump;
   ImageView<std::uint8_t> edge;
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access access) const {
-    const float z = depth_m(x, y);
     bool jump = false;
-    if (z > 0)
-      for (int i = 0; i < 8; i += 2) jump |= is_jump(x, y, z, neighbour8(i), access);
+    for (int i = 0; i < 8; i += 2) {
+      const Offset d = neighbour8(i);
+      const auto reading = [&](int k) {
+        const float z = access.clamped(depth_m, x + k * d.dx, y + k * d.dy);
+        return DepthReading{z, 1 / z};
+      };
+      jump |= is_jump(reading(0), reading(-2), reading(1), reading(3));
+    }
     edge(x, y) = jump;
-  }
-
- private:
-  template <class Access>
-  FACET_HD bool is_jump(int x, int y, float z, Offset d, Access access) const {
-    const float z_far = access.clamped(depth_m, x + d.dx, y + d.dy);
-    if (!(z_far > z)) return false;
-    const float by_noise = noise_sigmas * noise.sigma_m(z);
-    const float by_ratio = jump_ratio * z;
-    const float least_m = by_noise > by_ratio ? by_noise : by_ratio;
-    const float step = 1 / z - 1 / z_far;
-    const float near_slope = slope(access.clamped(depth_m, x - 2 * d.dx, y - 2 * d.dy), z, by_ratio);
-    const float far_slope = slope(z_far, access.clamped(depth_m, x + 3 * d.dx, y + 3 * d.dy), by_ratio);
-    const float slope_max = near_slope > far_slope ? near_slope : far_slope;
-    return (step - slope_max) * z * z > least_m;
-  }
-  /// Fall of inverse depth per pixel over a baseline of two pixels, 0 where it is unknown, rises, or jumps
-  /// itself.
-  FACET_HD float slope(float from_m, float to_m, float jump_m) const {
-    if (!(from_m > 0) || !(to_m > from_m) || to_m - from_m > 2 * jump_m) return 0;
-    return 0.5f * (1 / from_m - 1 / to_m);
   }
 };
 
@@ -138,7 +152,7 @@ template <class Executor>
 void depth_jumps(Executor& executor, const DepthEdgeParams& params, const DepthNoise& noise,
                  ImageView<const float> depth_m, ImageView<std::uint8_t> edge) {
   executor.for_each_pixel(depth_m.size(),
-                          DepthJumpOp{depth_m, params.jump_ratio, params.noise_sigmas, noise, edge});
+                          DepthJumpOp{depth_m, {params.jump_ratio, params.noise_sigmas, noise}, edge});
 }
 
 template <class Executor>
