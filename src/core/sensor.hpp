@@ -25,8 +25,8 @@ FACET_HD inline DepthNoise noise_of(Sensor sensor) {
   }
 }
 
-/// How far near outlines reach beyond the surface at least [px]: half a matching window, which has 7 px or more,
-/// for stereo. Structured light and time of flight add nothing beyond their lateral noise.
+/// How far near outlines reach beyond the surface at least [px]: half a matching window, which has 7 px or
+/// more, for stereo. Structured light and time of flight add nothing beyond their lateral noise.
 inline float fattening_px_of(Sensor sensor) {
   return sensor == Sensor::stereo ? 3.5f : 0.0f;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/disjoint_sets.hpp"
 #include "cpu/bit_mask.hpp"
 #include "cpu/fill_grid.hpp"
 
@@ -12,6 +13,7 @@ namespace facet {
 /// Memory of the tuned CPU stages, kept from frame to frame.
 struct CpuScratch {
   std::vector<int> list_a, list_b, list_c, row_starts, names;
+  DisjointSets sets;
   std::array<BitMask, 4> bits;
   std::vector<std::uint8_t> row, rows_due, rows_due_next;
   FillGrid fill_grid;

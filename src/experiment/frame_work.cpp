@@ -18,20 +18,12 @@ namespace fs = std::filesystem;
 
 void count_edges(const Prediction& prediction, FrameRow& row) {
   for (int y = 0; y < prediction.edges.height(); ++y)
-    for (int x = 0; x < prediction.edges.width(); ++x)
-      switch (static_cast<EdgeKind>(prediction.edges(x, y) & ~graspable_edge_bit)) {
-        case EdgeKind::depth:
-          ++row.depth_edge_px;
-          break;
-        case EdgeKind::convex:
-          ++row.convex_edge_px;
-          break;
-        case EdgeKind::concave:
-          ++row.concave_edge_px;
-          break;
-        default:
-          break;
-      }
+    for (int x = 0; x < prediction.edges.width(); ++x) {
+      const EdgeKind kind = edge_kind_of(prediction.edges(x, y));
+      row.depth_edge_px += kind == EdgeKind::depth ? 1 : 0;
+      row.convex_edge_px += kind == EdgeKind::convex ? 1 : 0;
+      row.concave_edge_px += kind == EdgeKind::concave ? 1 : 0;
+    }
 }
 
 void describe(const Prediction& prediction, FrameRow& row) {

@@ -31,7 +31,7 @@ void paint(cv::Mat& panel, const Image<std::uint8_t>& edges, bool graspable, dou
 
 cv::Scalar edge_color(std::uint8_t code) {
   const double brightness = is_graspable(code) ? 1.0 : 0.72;
-  switch (static_cast<EdgeKind>(code & ~graspable_edge_bit)) {
+  switch (edge_kind_of(code)) {
     case EdgeKind::depth:
       return brightness * cv::Scalar(60, 60, 255);
     case EdgeKind::convex:

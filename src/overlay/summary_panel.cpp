@@ -53,15 +53,13 @@ std::vector<std::string> summary_lines(const Frame& frame, const Prediction& pre
   const double missing = 100.0 * static_cast<double>(frame.missing_px) /
                          static_cast<double>(std::max<std::ptrdiff_t>(size.area(), 1));
   std::vector<std::string> lines{
-      frame.id,
-      "",
-      fmt::format("{} x {} px, fx {:.1f} px", size.width, size.height, frame.camera.fx),
+      frame.id, "", fmt::format("{} x {} px, fx {:.1f} px", size.width, size.height, frame.camera.fx),
       fmt::format("depth {:.2f} to {:.2f} m, {:.1f} % missing", range.nearest_m, range.farthest_m, missing),
-      surface_line(prediction.surfaces),
-      edge_line(prediction.edges),
-      fmt::format("{} regions dropped", prediction.rejected.size())};
+      surface_line(prediction.surfaces)};
   if (const std::string objects = object_line(prediction.surfaces); !objects.empty())
-    lines.insert(lines.begin() + 5, objects);
+    lines.push_back(objects);
+  lines.push_back(edge_line(prediction.edges));
+  lines.push_back(fmt::format("{} regions dropped", prediction.rejected.size()));
   std::map<std::string, int> reasons;
   for (const RejectedRegion& region : prediction.rejected) ++reasons[region.reason];
   for (const auto& [reason, count] : reasons) lines.push_back(fmt::format("    {}: {}", reason, count));

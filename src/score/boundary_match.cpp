@@ -135,7 +135,7 @@ BoundaryCounts score_boundary(const FrameTruth& frame, const Image<std::uint8_t>
   std::vector<ContourPoint> predicted;
   for (int y = 0; y < codes.height(); ++y) {
     for (int x = 0; x < codes.width(); ++x) {
-      const auto kind = static_cast<EdgeKind>(codes(x, y) & ~graspable_edge_bit);
+      const auto kind = edge_kind_of(codes(x, y));
       if (is_in_group(kind, group) && is_of_interest(frame, x, y, frame.tolerance_px()))
         predicted.push_back({x, y});
     }

@@ -28,7 +28,7 @@ SampleHit SampleSearch::search(ImagePoint sample, const ScoredEdge& edge) const 
     if (!codes_.size().contains(x, y) || codes_(x, y) == 0) continue;
     const double distance = std::hypot(x - sample.x, y - sample.y);
     hit.any_kind_px = std::min(hit.any_kind_px, distance);
-    if ((codes_(x, y) & ~graspable_edge_bit) != static_cast<int>(edge.kind)) continue;
+    if (edge_kind_of(codes_(x, y)) != edge.kind) continue;
     if (distance > hit.same_kind_px + distance_slack_px) continue;
     const bool right = ((codes_(x, y) & graspable_edge_bit) != 0) == edge.graspable;
     const bool as_near = distance >= hit.same_kind_px - distance_slack_px;

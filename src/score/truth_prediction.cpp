@@ -14,10 +14,6 @@
 namespace facet {
 namespace {
 
-EdgeKind kind_of(std::uint8_t code) {
-  return static_cast<EdgeKind>(code & ~graspable_edge_bit);
-}
-
 /// A pixel of an edge where one of another kind had been drawn already.
 struct DisplacedPixel {
   ContourPoint at;
@@ -52,7 +48,7 @@ Image<std::uint8_t> draw_edges(const FrameTruth& frame) {
       if (!codes.size().contains(p.x, p.y)) continue;
       if (codes(p.x, p.y) == 0) {
         codes(p.x, p.y) = code;
-      } else if (kind_of(codes(p.x, p.y)) != edge.kind && seen.insert({p.x, p.y, edge.kind}).second) {
+      } else if (edge_kind_of(codes(p.x, p.y)) != edge.kind && seen.insert({p.x, p.y, edge.kind}).second) {
         displaced.push_back({p, &edge});
       }
     }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/camera.hpp"
+#include "core/disjoint_sets.hpp"
 #include "core/image.hpp"
-#include "surface/disjoint_sets.hpp"
 #include "surface/patch_fit.hpp"
 #include "surface/patch_seam.hpp"
 

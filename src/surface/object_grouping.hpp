@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/camera.hpp"
+#include "core/disjoint_sets.hpp"
 #include "core/image_view.hpp"
-#include "surface/disjoint_sets.hpp"
 #include "surface/object_params.hpp"
 #include "surface/pose.hpp"
 #include "surface/surface.hpp"

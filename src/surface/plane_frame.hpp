@@ -31,9 +31,10 @@ class PlaneFrame {
     const Vec3 ray = camera_.back_project(static_cast<float>(px.x), static_cast<float>(px.y), 1);
     const float along = dot(plane_.normal, ray);
     if (!(along < -0.02f * norm(ray))) return std::nullopt;
-    const Vec3 p = (-plane_.d_m / along) * ray - origin_;
-    return Vec2{dot(p, x_axis_), dot(p, y_axis_)};
+    return from_space((-plane_.d_m / along) * ray);
   }
+  /// Of the foot of a point on the plane.
+  Vec2 from_space(Vec3 p) const { return {dot(p - origin_, x_axis_), dot(p - origin_, y_axis_)}; }
   Vec3 to_space(Vec2 p) const {
     return origin_ + static_cast<float>(p.x) * x_axis_ + static_cast<float>(p.y) * y_axis_;
   }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/angle.hpp"
+#include "surface/plane_frame.hpp"
 
 namespace facet {
 namespace {
@@ -22,18 +23,16 @@ struct Offset {
   double depth_m = 0;  ///< mean
   double facing = 0;   ///< mean of |n . ray| for rays of unit depth: share of a change of depth that shows
 };
-Offset offset_of(const PointSample& points, const Plane& plane) {
+Offset offset_of(const PointSample& points, const Plane& plane, const Camera& camera) {
   const auto n = static_cast<double>(points.size());
   // Distances as an affine function of two coordinates in the plane: exact for planes.
-  const Vec3 across = std::fabs(plane.normal.x) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 x_axis = normalized(across - dot(across, plane.normal) * plane.normal);
-  const Vec3 y_axis = cross(x_axis, plane.normal);
-  const Vec3 origin = points.at(0);
+  const PlaneFrame frame(plane, camera, points.at(0));
   double x = 0, y = 0, r = 0, xx = 0, xy = 0, yy = 0, xr = 0, yr = 0;
   Offset offset;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 p = points.at(i);
-    const double px = dot(p - origin, x_axis), py = dot(p - origin, y_axis), pr = plane.signed_distance_m(p);
+    const auto [px, py] = frame.from_space(p);
+    const double pr = plane.signed_distance_m(p);
     x += px, y += py, r += pr;
     xx += px * px, xy += px * py, yy += py * py, xr += px * pr, yr += py * pr;
     offset.depth_m += p.z / n;
@@ -93,8 +92,9 @@ void Support::find_pieces(const SupportInput& input, const SupportParams& params
     const bool is_support = static_cast<int>(i) + 1 == label_;
     bool joins = false;
     if (!is_support && points.size() > 2) {
-      const Offset offset = offset_of(points, *plane_);
-      const double readings = std::max(input.pixels.measured_px[i] / double{input.noise.pixels_per_reading}, 1.0);
+      const Offset offset = offset_of(points, *plane_, input.camera);
+      const double readings =
+          std::max(input.pixels.measured_px[i] / double{input.noise.pixels_per_reading}, 1.0);
       // A fit of three parameters knows its own points to sqrt(3 / readings) of one reading's noise.
       const double noise_m =
           offset.facing * input.noise.sigma_m(static_cast<float>(offset.depth_m)) * std::sqrt(3 / readings);
@@ -139,7 +139,7 @@ void Support::relabel(const SupportInput& input) {
   };
   for (int y = 0; y < labels.height; ++y)
     for (int x = 0; x < labels.width; ++x) {
-      const auto kind = static_cast<EdgeKind>(input.edges(x, y) & ~graspable_edge_bit);
+      const auto kind = edge_kind_of(input.edges(x, y));
       if ((kind == EdgeKind::convex || kind == EdgeKind::concave) && parts_only_support(x, y))
         input.edges(x, y) = 0;
     }

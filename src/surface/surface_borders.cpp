@@ -7,21 +7,18 @@
 namespace facet {
 namespace {
 
-EdgeKind kind_of(std::uint8_t code) {
-  return static_cast<EdgeKind>(code & ~graspable_edge_bit);
-}
-
 /// Kinds of the edges within one pixel of (x, y), as bits.
 int kinds_around(ImageView<const std::uint8_t> edges, int x, int y) {
   int kinds = 0;
   for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, edges.height - 1); ++ny)
     for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, edges.width - 1); ++nx)
-      kinds |= 1 << static_cast<int>(kind_of(edges(nx, ny)));
+      kinds |= 1 << static_cast<int>(edge_kind_of(edges(nx, ny)));
   return kinds;
 }
 
 EdgeKind kind_between(ImageView<const std::uint8_t> edges, int x0, int y0, int x1, int y1) {
-  int kinds = 1 << static_cast<int>(kind_of(edges(x0, y0))) | 1 << static_cast<int>(kind_of(edges(x1, y1)));
+  int kinds =
+      1 << static_cast<int>(edge_kind_of(edges(x0, y0))) | 1 << static_cast<int>(edge_kind_of(edges(x1, y1)));
   const auto has = [&](EdgeKind kind) { return (kinds & 1 << static_cast<int>(kind)) != 0; };
   if (!has(EdgeKind::depth) && !has(EdgeKind::convex) && !has(EdgeKind::concave))
     kinds = kinds_around(edges, x0, y0) | kinds_around(edges, x1, y1);
@@ -61,7 +58,7 @@ void SurfaceBorders::collect(ImageView<const std::uint16_t> labels, ImageView<co
     border.convex_px += kind == EdgeKind::convex ? 1 : 0;
     border.concave_px += kind == EdgeKind::concave ? 1 : 0;
     if (kind != EdgeKind::depth) return;
-    const bool on_here = kind_of(edges(x0, y0)) == kind, on_there = kind_of(edges(x1, y1)) == kind;
+    const bool on_here = edge_kind_of(edges(x0, y0)) == kind, on_there = edge_kind_of(edges(x1, y1)) == kind;
     border.depth_px += 1;
     border.a_nearer_px += on_here != on_there && on_here == (here < there) ? 1 : 0;
     border.b_nearer_px += on_here != on_there && on_here != (here < there) ? 1 : 0;

@@ -14,5 +14,10 @@ TEST(EdgeCode, IsTheKindPlusSixteenWhereAFingerReaches) {
   EXPECT_EQ(edge_code(EdgeKind::concave, false), 3);
 }
 
+TEST(EdgeCode, GivesItsKindBackWhetherAFingerReachesOrNot) {
+  for (const EdgeKind kind : {EdgeKind::none, EdgeKind::depth, EdgeKind::convex, EdgeKind::concave})
+    for (const bool graspable : {false, true}) EXPECT_EQ(edge_kind_of(edge_code(kind, graspable)), kind);
+}
+
 }  // namespace
 }  // namespace facet

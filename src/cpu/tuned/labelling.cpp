@@ -12,9 +12,9 @@ namespace {
 /// are numbered in raster order, so the smallest run of a set holds its first pixel.
 class RunForest {
  public:
-  RunForest(std::vector<int>& begin, std::vector<int>& end, std::vector<int>& parent)
-      : begin_(begin), end_(end), parent_(parent) {
-    begin_.clear(), end_.clear(), parent_.clear();
+  RunForest(std::vector<int>& begin, std::vector<int>& end, DisjointSets& sets)
+      : begin_(begin), end_(end), sets_(sets) {
+    begin_.clear(), end_.clear(), sets_.reset(0);
   }
   int count() const { return static_cast<int>(begin_.size()); }
   int begin(int run) const { return begin_[static_cast<std::size_t>(run)]; }
@@ -22,20 +22,14 @@ class RunForest {
   void add(int begin, int end) {
     begin_.push_back(begin);
     end_.push_back(end);
-    parent_.push_back(count() - 1);
+    sets_.add();
   }
-  int find(int run) {
-    auto at = [this](int i) -> int& { return parent_[static_cast<std::size_t>(i)]; };
-    while (at(run) != run) run = at(run) = at(at(run));
-    return run;
-  }
-  void unite(int a, int b) {
-    a = find(a), b = find(b);
-    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  }
+  int find(int run) { return sets_.find(run); }
+  void unite(int a, int b) { sets_.join(a, b); }
 
  private:
-  std::vector<int>&begin_, &end_, &parent_;
+  std::vector<int>&begin_, &end_;
+  DisjointSets& sets_;
 };
 
 FACET_CPU_CLONES void mark_regions(const float* depth_m, const std::uint8_t* edge, int width,
@@ -66,7 +60,7 @@ void join_rows(RunForest& runs, int above, int row) {
 void label_components(CpuExecutor& executor, ImageView<const float> depth_m,
                       ImageView<const std::uint8_t> edge, ImageView<std::int32_t> root) {
   CpuScratch& scratch = executor.scratch();
-  RunForest runs(scratch.list_a, scratch.list_b, scratch.list_c);
+  RunForest runs(scratch.list_a, scratch.list_b, scratch.sets);
   std::vector<int>& row_starts = scratch.row_starts;
   row_starts.assign(1, 0);
   std::vector<std::uint8_t>& region = scratch.row;

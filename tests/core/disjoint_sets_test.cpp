@@ -1,4 +1,4 @@
-#include "surface/disjoint_sets.hpp"
+#include "core/disjoint_sets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +30,16 @@ TEST(DisjointSets, AResetForgetsWhatWasJoined) {
   sets.join(1, 3);
   sets.reset(5);
   for (int i = 0; i < 5; ++i) EXPECT_EQ(sets.find(i), i);
+}
+
+TEST(DisjointSets, OneMoreIsASetOfItsOwn) {
+  DisjointSets sets;
+  sets.reset(2);
+  sets.join(0, 1);
+  sets.add();
+  EXPECT_EQ(sets.find(2), 2);
+  sets.join(2, 1);
+  EXPECT_EQ(sets.find(2), 0);
 }
 
 }  // namespace
