@@ -1,6 +1,7 @@
 #include "cpu/cpu_pipeline.hpp"
 
 #include "cpu/executor.hpp"
+#include "cpu/tuned/basins.hpp"
 #include "cpu/tuned/depth_jumps.hpp"
 #include "cpu/tuned/fill_missing.hpp"
 #include "cpu/tuned/hysteresis.hpp"

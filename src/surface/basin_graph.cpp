@@ -1,7 +1,6 @@
 #include "surface/basin_graph.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/run.hpp"
 
@@ -17,7 +16,6 @@ void extend(BasinBorder& border, const BasinBorder& other) {
   border.length += other.length;
   border.known += other.known;
   border.sum += other.sum;
-  border.lowest = std::min(border.lowest, other.lowest);
   border.points = std::min(border.length, static_cast<int>(BasinBorder::most_points));
   for (int k = 0; k < border.points; ++k) {
     const int place = (2 * k + 1) * border.length / (2 * border.points);
@@ -34,65 +32,54 @@ float BasinBorder::strength() const {
   return known < min_known_pairs ? unknown_strength : sum / static_cast<float>(known);
 }
 
-void BasinGraph::build(const BasinLandscape& landscape) {
-  collect_basins(landscape);
-  sets_.reset(basin_count());
-  collect_contacts(landscape);
+void BasinGraph::build(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count) {
+  collect_moments(landscape, basin, count);
+  sets_.reset(count);
+  collect_contacts(landscape, basin);
   collect_borders(landscape);
   list_borders();
 }
 
-void BasinGraph::collect_basins(const BasinLandscape& l) {
-  const int width = l.basin.width, height = l.basin.height;
-  basins_.clear();
-  index_.assign(static_cast<std::size_t>(l.basin.size().area()), -1);
-  for (int y = 0; y < height; ++y)
-    for (int begin = 0, end = 0; begin < width; begin = end) {
-      const std::int32_t name = l.basin(begin, y);
-      end = end_of_run(l.basin.row(y), begin + 1, width, name);
-      if (name < 0) continue;
-      std::int32_t& index = index_[static_cast<std::size_t>(name)];
-      if (index < 0) {
-        index = static_cast<std::int32_t>(basins_.size());
-        basins_.emplace_back();
-      }
-      Basin& basin = basins_[static_cast<std::size_t>(index)];
+void BasinGraph::collect_moments(const BasinLandscape& l, ImageView<const std::int32_t> basin, int count) {
+  moments_.assign(static_cast<std::size_t>(count), {});
+  for (int y = 0; y < basin.height; ++y)
+    for (int begin = 0, end = 0; begin < basin.width; begin = end) {
+      const std::int32_t number = basin(begin, y);
+      end = end_of_run(basin.row(y), begin + 1, basin.width, number);
+      if (number < 0) continue;
       const std::int32_t* q = l.inverse_depth.row(y) + begin;
-      basin.moments.add_run(begin - static_cast<double>(l.camera.cx), y - static_cast<double>(l.camera.cy),
-                            end - begin, [&](int k) { return l.inverse_depth_unit * q[k]; });
-      for (int x = begin; x < end; ++x)
-        if (l.distance_px(x, y) > l.guard_px) basin.lowest = std::min(basin.lowest, l.strength(x, y));
+      moments_[static_cast<std::size_t>(number)].add_run(begin - static_cast<double>(l.camera.cx),
+                                                         y - static_cast<double>(l.camera.cy), end - begin,
+                                                         [&](int k) { return l.inverse_depth_unit * q[k]; });
     }
 }
 
-void BasinGraph::collect_contacts(const BasinLandscape& l) {
+/// Sorts by a number of the contacts; equal ones keep their order.
+void BasinGraph::sort_contacts(int Contact::*key) {
+  place_.assign(moments_.size() + 1, 0);
+  for (const Contact& c : contacts_) ++place_[static_cast<std::size_t>(c.*key) + 1];
+  for (std::size_t i = 1; i < place_.size(); ++i) place_[i] += place_[i - 1];
+  sorted_.resize(contacts_.size());
+  for (const Contact& c : contacts_)
+    sorted_[static_cast<std::size_t>(place_[static_cast<std::size_t>(c.*key)]++)] = c;
+  contacts_.swap(sorted_);
+}
+
+void BasinGraph::collect_contacts(const BasinLandscape& l, ImageView<const std::int32_t> basin) {
   contacts_.clear();
-  const auto add_pair = [&](int x0, int y0, int x1, int y1) {
-    const std::int32_t here = l.basin(x0, y0), there = l.basin(x1, y1);
-    if (here == there || here < 0 || there < 0) return;
-    const int a = index_[static_cast<std::size_t>(here)], b = index_[static_cast<std::size_t>(there)];
-    const bool known = l.distance_px(x0, y0) > l.guard_px && l.distance_px(x1, y1) > l.guard_px;
-    const float strength = known ? std::max(l.strength(x0, y0), l.strength(x1, y1)) : unknown_strength;
-    contacts_.push_back(
-        {std::min(a, b), std::max(a, b), 2 * (y0 * l.basin.width + x0) + (y1 > y0), strength});
-  };
-  for (int y = 0; y < l.basin.height; ++y)
-    for (int x = 0; x < l.basin.width; ++x) {
-      if (x + 1 < l.basin.width) add_pair(x, y, x + 1, y);
-      if (y + 1 < l.basin.height) add_pair(x, y, x, y + 1);
-    }
-  std::sort(contacts_.begin(), contacts_.end(), [](const Contact& l_, const Contact& r) {
-    return std::tie(l_.a, l_.b, l_.place) < std::tie(r.a, r.b, r.place);
+  for_each_contact(l, basin, [&](int a, int b, int x, int y, bool down, float strength) {
+    const int place = 2 * (y * basin.width + x) + (down ? 1 : 0);
+    contacts_.push_back({std::min(a, b), std::max(a, b), place, strength});
   });
+  sort_contacts(&Contact::b);
+  sort_contacts(&Contact::a);
 }
 
 /// A border from its contacts, in order.
 BasinBorder BasinGraph::border_of(const BasinLandscape& l, std::span<const Contact> contacts) {
   BasinBorder border{contacts[0].a, contacts[0].b, static_cast<int>(contacts.size())};
-  for (const Contact& c : contacts) {
-    border.lowest = std::min(border.lowest, c.strength);
+  for (const Contact& c : contacts)
     if (c.strength < unknown_strength) border.sum += c.strength, ++border.known;
-  }
   border.points = std::min(border.length, static_cast<int>(BasinBorder::most_points));
   for (int k = 0; k < border.points; ++k) {
     const auto& c = contacts[static_cast<std::size_t>((2 * k + 1) * border.length / (2 * border.points))];
@@ -114,9 +101,9 @@ void BasinGraph::collect_borders(const BasinLandscape& landscape) {
 }
 
 void BasinGraph::list_borders() {
-  first_.assign(basins_.size(), -1);
-  last_.assign(basins_.size(), -1);
-  degree_.assign(basins_.size(), 0);
+  first_.assign(moments_.size(), -1);
+  last_.assign(moments_.size(), -1);
+  degree_.assign(moments_.size(), 0);
   next_.assign(2 * borders_.size(), -1);
   for (std::size_t i = 0; i < borders_.size(); ++i) {
     const auto append = [this](int region, int side) {
@@ -163,19 +150,8 @@ std::span<const int> BasinGraph::join(int a, int b) {
   of(first_, a) = of(first_, more), of(last_, a) = of(last_, more);
   of(degree_, a) += of(degree_, b);
   sets_.join(a, b);
-  Basin& into = basin(a);
-  const Basin& from = basin(b);
-  into.lowest = std::min(into.lowest, from.lowest);
-  into.moments += from.moments;
+  moments_[static_cast<std::size_t>(a)] += moments_[static_cast<std::size_t>(b)];
   return touched_;
-}
-
-void BasinGraph::write_regions(const BasinLandscape& l, ImageView<std::int32_t> region) {
-  for (int y = 0; y < l.basin.height; ++y)
-    for (int x = 0; x < l.basin.width; ++x) {
-      const std::int32_t name = l.basin(x, y);
-      region(x, y) = name < 0 ? -1 : find(index_[static_cast<std::size_t>(name)]);
-    }
 }
 
 }  // namespace facet

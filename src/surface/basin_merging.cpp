@@ -1,7 +1,6 @@
 #include "surface/basin_merging.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "core/angle.hpp"
@@ -19,24 +18,6 @@ constexpr double patch_growth = 1.1;
 constexpr double chi_square_6_99 = 16.8;
 
 }  // namespace
-
-/// The topographic dynamics of a basin: how high its lowest pass is above its bottom.
-void BasinMerging::join_shallow_basins(float floor) {
-  order_.resize(graph_.borders().size());
-  std::iota(order_.begin(), order_.end(), 0);
-  std::sort(order_.begin(), order_.end(), [this](int l, int r) {
-    return std::pair(graph_.border(l).lowest, l) < std::pair(graph_.border(r).lowest, r);
-  });
-  for (const int i : order_) {
-    const float pass = graph_.border(i).lowest;
-    const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
-    if (a == b || pass >= unknown_strength) continue;
-    const Basin &l = graph_.basin(a), &r = graph_.basin(b);
-    const bool few =
-        std::min(l.moments.count(), r.moments.count()) <= min_readings * double{noise_.pixels_per_reading};
-    if (few && pass - std::max(l.lowest, r.lowest) < floor) graph_.join(a, b);
-  }
-}
 
 /// Variance of q of one independent reading, times the pixels that share one.
 double BasinMerging::reading_variance(const PatchMoments& moments) const {
@@ -56,8 +37,8 @@ PatchFit BasinMerging::fitted(const PatchMoments& moments) const {
 bool BasinMerging::has_changed(int i, double growth) {
   const BasinBorder& border = graph_.border(i);
   const Judgement& judged = judgements_[static_cast<std::size_t>(i)];
-  const double a = graph_.basin(graph_.find(border.a)).moments.count(),
-               b = graph_.basin(graph_.find(border.b)).moments.count();
+  const double a = graph_.moments(graph_.find(border.a)).count(),
+               b = graph_.moments(graph_.find(border.b)).count();
   return border.length != judged.length || a + b > growth * judged.pixels ||
          std::min(a, b) > growth * judged.fewer_pixels;
 }
@@ -65,7 +46,7 @@ bool BasinMerging::has_changed(int i, double growth) {
 void BasinMerging::judge(int i) {
   const BasinBorder& border = graph_.border(i);
   const int a = graph_.find(border.a), b = graph_.find(border.b);
-  const double pixels_a = graph_.basin(a).moments.count(), pixels_b = graph_.basin(b).moments.count();
+  const double pixels_a = graph_.moments(a).count(), pixels_b = graph_.moments(b).count();
   Judgement& judged = judgements_[static_cast<std::size_t>(i)];
   judged = {pixels_a + pixels_b, std::min(pixels_a, pixels_b), border.length, judged.serial + 1};
   if (border.strength() > most_strength_) return;
@@ -82,15 +63,15 @@ void BasinMerging::judge(int i) {
 bool BasinMerging::explains_both(const PatchFit& fit, const PatchMoments& both, int a, int b) const {
   const double added = fit.squares() - fits_[static_cast<std::size_t>(a)].squares() -
                        fits_[static_cast<std::size_t>(b)].squares();
-  const double fewer_px = std::min(graph_.basin(a).moments.count(), graph_.basin(b).moments.count());
+  const double fewer_px = std::min(graph_.moments(a).count(), graph_.moments(b).count());
   const double step = double{params_.step_ratio} * both.mean_q();
   return added < chi_square_6_99 * reading_variance(both) + fewer_px * step * step;
 }
 
 void BasinMerging::join_across(int i) {
   const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
-  PatchMoments both = graph_.basin(a).moments;
-  both += graph_.basin(b).moments;
+  PatchMoments both = graph_.moments(a);
+  both += graph_.moments(b);
   const PatchFit fit = fitted(both);
   if (!explains_both(fit, both, a, b)) return;
   const std::span<const int> touched = graph_.join(a, b);
@@ -133,17 +114,17 @@ void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& par
                 params.fit_sigmas};
   noise_ = noise;
   focal_px_ = static_cast<double>(landscape.camera.fx);
-  graph_.build(landscape);
-  join_shallow_basins(landscape.floor);
-  fits_.resize(static_cast<std::size_t>(graph_.basin_count()));
-  for (int i = 0; i < graph_.basin_count(); ++i)
-    if (graph_.find(i) == i) fits_[static_cast<std::size_t>(i)] = fitted(graph_.basin(i).moments);
+  const int count = shallow_.join(landscape, min_readings * double{noise.pixels_per_reading}, region);
+  graph_.build(landscape, std::as_const(region).view(), count);
+  fits_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) fits_[static_cast<std::size_t>(i)] = fitted(graph_.moments(i));
   judgements_.assign(graph_.borders().size(), {});
   judged_px_.assign(fits_.size(), 0);
   join_alike(chord_of(params.flat_deg));
   join_alike(unknown_strength);
-  region.resize(landscape.basin.size());
-  graph_.write_regions(landscape, region.view());
+  for (int y = 0; y < region.height(); ++y)
+    for (int x = 0; x < region.width(); ++x)
+      if (region(x, y) >= 0) region(x, y) = graph_.find(region(x, y));
   competition_.run({landscape, fits_, noise, double{params.fit_sigmas}}, params.border_moves_px,
                    region.view());
 }

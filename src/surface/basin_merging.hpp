@@ -8,6 +8,7 @@
 #include "core/image.hpp"
 #include "surface/basin_graph.hpp"
 #include "surface/border_competition.hpp"
+#include "surface/shallow_basins.hpp"
 
 namespace facet {
 
@@ -52,7 +53,6 @@ class BasinMerging {
   static bool is_later(const Candidate& l, const Candidate& r) {
     return std::tie(l.difference, l.border) > std::tie(r.difference, r.border);
   }
-  void join_shallow_basins(float floor);
   double reading_variance(const PatchMoments& moments) const;
   PatchFit fitted(const PatchMoments& moments) const;
   bool has_changed(int border, double growth);
@@ -61,13 +61,13 @@ class BasinMerging {
   void join_across(int border);
   void join_alike(float most_strength);
 
+  ShallowBasins shallow_;
   BasinGraph graph_;
   BorderCompetition competition_;
   std::vector<PatchFit> fits_;         ///< by region
   std::vector<double> judged_px_;      ///< pixels of a region when all its borders were last looked at
   std::vector<Judgement> judgements_;  ///< by border
   std::vector<Candidate> candidates_;  ///< a heap, least difference first
-  std::vector<int> order_;             ///< of borders
   float most_strength_ = 0;            ///< borders stronger than this are not judged yet
   MergeParams params_;
   SeamTolerance tolerance_;

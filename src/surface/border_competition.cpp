@@ -28,7 +28,7 @@ double mean_square(const BasinLandscape& landscape, ImageView<const std::int32_t
     for (int px = x - window_radius_px; px <= x + window_radius_px; ++px) {
       if (!region.size().contains(px, py) || region(px, py) < 0) continue;
       const double u = px - double{landscape.camera.cx}, v = py - double{landscape.camera.cy};
-      const double distance = landscape.q(px, py) - patch.q_at(u, v);
+      const double distance = landscape.q(px, py) - patch.at(u, v).q;
       sum += distance * distance;
       ++count;
     }

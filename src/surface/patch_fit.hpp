@@ -21,7 +21,6 @@ struct PatchPoint {
 class PatchFit {
  public:
   PatchPoint at(double x_px, double y_px) const;
-  double q_at(double x_px, double y_px) const;  ///< the value alone
   /// Variances of the value [1/m^2] and of the two slopes together [1/m^2 per px^2].
   struct Variance {
     double value = 0, slope = 0;
@@ -33,9 +32,10 @@ class PatchFit {
  private:
   friend class PatchMoments;
 
-  double x0_ = 0, y0_ = 0;         ///< centre of the region, in units
-  std::array<double, 6> terms_{};  ///< of 1, x, y, x^2, xy, y^2 about the centre
-  std::array<double, 36> covariance_{};
+  double x0_ = 0, y0_ = 0;           ///< centre of the region, in units
+  std::array<double, 6> terms_{};    ///< of 1, x, y, x^2, xy, y^2 about the centre
+  std::array<double, 36> factor_{};  ///< the normal equations' lower triangular one, by columns
+  double reading_variance_ = 1;
   double squares_ = 0;
 };
 
@@ -73,5 +73,13 @@ class PatchMoments {
   std::array<std::array<double, 3>, 3> products_{};  ///< [i][j]: sum of q x^i y^j, i + j <= 2
   double squares_ = 0;                               ///< sum of q^2
 };
+
+inline PatchPoint PatchFit::at(double x_px, double y_px) const {
+  const double x = PatchMoments::px_unit * x_px - x0_, y = PatchMoments::px_unit * y_px - y0_;
+  const auto& [c, cx, cy, cxx, cxy, cyy] = terms_;
+  return {c + x * (cx + cxx * x + cxy * y) + y * (cy + cyy * y),
+          PatchMoments::px_unit * (cx + 2 * cxx * x + cxy * y),
+          PatchMoments::px_unit * (cy + cxy * x + 2 * cyy * y)};
+}
 
 }  // namespace facet

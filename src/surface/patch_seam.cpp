@@ -13,13 +13,10 @@ constexpr double square(double v) {
 /// Squared chord between the normals, which are along (f qx, f qy, q - x qx - y qy): a plane in space is
 /// affine in inverse depth.
 double squared_chord(const PatchPoint& a, const PatchPoint& b, double x, double y, double focal_px) {
-  const auto normal = [&](const PatchPoint& p) {
-    const std::array<double, 3> n{focal_px * p.qx, focal_px * p.qy, p.q - x * p.qx - y * p.qy};
-    const double scale = 1 / std::sqrt(square(n[0]) + square(n[1]) + square(n[2]));
-    return std::array<double, 3>{scale * n[0], scale * n[1], scale * n[2]};
-  };
-  const auto na = normal(a), nb = normal(b);
-  return square(na[0] - nb[0]) + square(na[1] - nb[1]) + square(na[2] - nb[2]);
+  const double ax = focal_px * a.qx, ay = focal_px * a.qy, az = a.q - x * a.qx - y * a.qy;
+  const double bx = focal_px * b.qx, by = focal_px * b.qy, bz = b.q - x * b.qx - y * b.qy;
+  const double lengths = (ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz);
+  return std::max(2 - 2 * (ax * bx + ay * by + az * bz) / std::sqrt(lengths), 0.0);
 }
 
 /// Variances of the angle and of the relative step that one fit contributes. A slope dz/dx = tan(t) known to

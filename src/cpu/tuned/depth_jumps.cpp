@@ -25,9 +25,11 @@ FACET_CPU_CLONES void invert(const float* depth_m, int width, float* inverse) {
 }
 
 /// DepthJumpOp in one direction, for the pixels begin ... end - 1 of a row.
-FACET_CPU_CLONES void mark_jumps(const DepthRow& row, const Samples& samples, int begin, int end,
-                                 const DepthJump& shared_test, std::uint8_t* edge) {
-  const DepthJump is_jump = shared_test;
+FACET_CPU_CLONES void mark_jumps(const DepthRow& shared_row, const Samples& shared_samples, int begin,
+                                 int end, const DepthJump& shared_test, std::uint8_t* edge) {
+  const DepthJump is_jump = shared_test;  // local copies: what is written cannot alias them
+  const DepthRow row = shared_row;
+  const Samples samples = shared_samples;
 #pragma GCC ivdep
   for (int x = begin; x < end; ++x) {
     const bool jump = is_jump(row.at(x), samples.before.at(x), samples.far.at(x), samples.beyond.at(x));

@@ -1,0 +1,75 @@
+#include "surface/shallow_basins.hpp"
+
+#include <gtest/gtest.h>
+
+namespace facet {
+namespace {
+
+constexpr Size size{24, 5};
+constexpr float floor_strength = 0.1f;
+
+/// Three basins side by side, each 8 px wide, named by their first pixel; strength 0.2 inside, and a pass at
+/// column 8 and at column 16.
+struct Columns {
+  Image<std::int32_t> basin{size}, inverse_depth{size, 1000};
+  Image<float> strength{size, 0.2f};
+  Image<std::uint8_t> distance{size, 9};
+  Columns(float first_pass, float second_pass) {
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) basin(x, y) = x / 8 * 8;
+      strength(8, y) = first_pass, strength(16, y) = second_pass;
+    }
+  }
+  Image<std::int32_t> joined(double most_px, int expected_count) const {
+    Image<std::int32_t> region;
+    EXPECT_EQ(ShallowBasins().join({basin.view(), inverse_depth.view(), 0.001, strength.view(),
+                                    distance.view(), 3, floor_strength, Camera{100, 100, 0, 0}},
+                                   most_px, region),
+              expected_count);
+    return region;
+  }
+};
+
+TEST(ShallowBasins, JoinAcrossAPassThatIsLowerThanNoise) {
+  const Image<std::int32_t> region = Columns(0.25f, 0.6f).joined(40, 2);
+  EXPECT_EQ(region(0, 0), 0);
+  EXPECT_EQ(region(15, 4), 0);
+  EXPECT_EQ(region(16, 2), 1);
+}
+
+TEST(ShallowBasins, StayApartWhereBothAreLarge) {
+  const Image<std::int32_t> region = Columns(0.25f, 0.25f).joined(39, 3);
+  EXPECT_EQ(region(0, 0), 0);
+  EXPECT_EQ(region(8, 0), 1);
+  EXPECT_EQ(region(23, 4), 2);
+}
+
+TEST(ShallowBasins, JoinTheNeighbourAcrossTheLowestPassAndAreAsDeepAsItThen) {
+  Columns columns(0.26f, 0.22f);
+  EXPECT_EQ(columns.joined(40, 1)(23, 4), 0);
+  for (int y = 0; y < size.height; ++y) columns.strength(3, y) = columns.strength(20, y) = 0.05f;
+  const Image<std::int32_t> region = columns.joined(40, 2);
+  EXPECT_EQ(region(8, 0), region(16, 0));
+  EXPECT_NE(region(0, 0), region(8, 0)) << "the pass is 0.21 above both bottoms";
+}
+
+TEST(ShallowBasins, HaveNoPassWhereTheStrengthIsNotKnown) {
+  Columns columns(0.25f, 0.25f);
+  for (int y = 0; y < size.height; ++y) columns.distance(8, y) = 3;
+  const Image<std::int32_t> region = columns.joined(40, 2);
+  EXPECT_NE(region(0, 0), region(8, 0));
+  EXPECT_EQ(region(8, 0), region(16, 0));
+}
+
+TEST(ShallowBasins, LeaveOutWhatIsInNoBasin) {
+  Columns columns(0.25f, 0.25f);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < 8; ++x) columns.basin(x, y) = -1;
+  const Image<std::int32_t> region = columns.joined(0, 2);
+  EXPECT_EQ(region(3, 3), -1);
+  EXPECT_EQ(region(8, 0), 0);
+  EXPECT_EQ(region(16, 0), 1);
+}
+
+}  // namespace
+}  // namespace facet
