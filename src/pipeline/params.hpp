@@ -11,7 +11,7 @@
 #include "stage/pruning.hpp"
 #include "stage/temporal_average.hpp"
 #include "stage/wiener.hpp"
-#include "surface/basin_merging.hpp"
+#include "surface/merge_params.hpp"
 #include "surface/contours.hpp"
 #include "surface/grasp.hpp"
 #include "surface/object_params.hpp"

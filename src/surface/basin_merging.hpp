@@ -8,25 +8,10 @@
 #include "core/image.hpp"
 #include "surface/basin_graph.hpp"
 #include "surface/border_competition.hpp"
+#include "surface/merge_params.hpp"
 #include "surface/shallow_basins.hpp"
 
 namespace facet {
-
-/// When a border between two regions is a crease: the patches fitted to both sides must differ where they
-/// meet, by more than a smooth surface's would and more than their noise explains.
-struct MergeParams {
-  /// Least angle between the patches [deg], 0..180.
-  float crease_deg = 25;
-  /// Least step between the patches, relative to depth [m/m], 0..1: a third of the least jump of a depth
-  /// edge.
-  float step_ratio = 0.005f;
-  float fit_sigmas = 3;        ///< least difference in deviations of the fits, 0..100
-  float curve_radius_mm = 40;  ///< radius of usual curved surfaces [mm], 0..100000; 0 = patches are planes
-  float flat_deg = 45;         ///< borders that turn by less are judged first [deg], 0..180
-  /// Farthest that a border moves to where the patches meet [px], 0..16: strengths are known to within the
-  /// window of the normals.
-  int border_moves_px = 4;
-};
 
 /// Merges basins across borders that are no creases, so that noise, texture and the curvature of a cylinder
 /// do not split a surface. First, small basins that are no deeper than noise join the neighbour across their
