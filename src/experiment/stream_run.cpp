@@ -10,6 +10,7 @@
 #include "experiment/run_description.hpp"
 #include "file/file_bytes.hpp"
 #include "method/pipeline_method.hpp"
+#include "report/write_report.hpp"
 #include "stream/stream.hpp"
 #include "stream/stream_report.hpp"
 
@@ -132,12 +133,10 @@ class StreamRun {
   }
 
   void publish_results() {
-    const Report report = make_stream_report(experiment_.name, records_);
     directory_.publish("stream.json", stream_json(records_));
     directory_.publish("timing/stream.csv", stream_csv(records_));
-    directory_.publish("report/report.md", render_markdown(report));
-    directory_.publish("report/report.html", render_html(report, directory_.path()));
-    directory_.publish("report/report.json", render_json(report));
+    directory_.publish("report/report.json", render_json(make_stream_report(experiment_.name, records_)));
+    write_report(directory_.path(), {"md", "html"});
   }
 
   bool nothing_counted() const {

@@ -55,6 +55,8 @@ std::string render_html(const Report& report, const std::filesystem::path& run_d
 std::string render_csv(const Report& report);
 /// Sections with their tables, charts and paths of pictures.
 std::string render_json(const Report& report);
+/// Reads it back, but for charts. Throws Error{data} naming `source` where the text is no report.
+Report report_from_json(const std::string& text, const std::string& source);
 /// A table as a float with its caption; needs the package graphicx, which shrinks it to the line.
 std::string latex_table(const ReportTable& table);
 

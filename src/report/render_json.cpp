@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "report/document.hpp"
 
 namespace facet {
@@ -56,7 +57,38 @@ Json section_json(const ReportSection& section) {
   return json;
 }
 
+ReportTable table_from(const Json& json) {
+  ReportTable table;
+  json.at("caption").get_to(table.caption);
+  json.at("header").get_to(table.header);
+  json.at("rows").get_to(table.rows);
+  json.at("notes").get_to(table.notes);
+  return table;
+}
+
+ReportSection section_from(const Json& json) {
+  ReportSection section;
+  json.at("title").get_to(section.title);
+  json.at("paragraphs").get_to(section.paragraphs);
+  for (const Json& table : json.at("tables")) section.tables.push_back(table_from(table));
+  for (const Json& picture : json.at("pictures"))
+    section.pictures.push_back({picture.at("caption"), picture.at("file").get<std::string>()});
+  return section;
+}
+
 }  // namespace
+
+Report report_from_json(const std::string& text, const std::string& source) {
+  try {
+    const Json json = Json::parse(text);
+    Report report;
+    json.at("title").get_to(report.title);
+    for (const Json& section : json.at("sections")) report.sections.push_back(section_from(section));
+    return report;
+  } catch (const Json::exception& e) {
+    throw Error(ErrorKind::data, source + ": is no report: " + e.what());
+  }
+}
 
 std::string render_json(const Report& report) {
   Json json{{"schema_version", 1}, {"title", report.title}, {"sections", Json::array()}};

@@ -45,6 +45,20 @@ void write_latex(const RunRecord& run, const fs::path& folder) {
                         latex_document("\\mbox{}\n\\input{table2.tex}\n\\input{table3.tex}\n"));
 }
 
+/// The tables of a report one after the other.
+void write_latex(const Report& report, const fs::path& folder) {
+  std::string body;
+  for (const ReportSection& section : report.sections)
+    for (const ReportTable& table : section.tables) body += latex_table(table);
+  write_file_atomically(folder / "tables.tex", latex_document(body));
+}
+
+/// A stream stores its report as it is; of other runs it is made from their rows.
+Report stored_report(const fs::path& file) {
+  const std::vector<std::uint8_t> bytes = read_file_bytes(file);
+  return report_from_json({bytes.begin(), bytes.end()}, printable(file));
+}
+
 }  // namespace
 
 const std::vector<std::string>& report_formats() {
@@ -65,15 +79,14 @@ Report write_report(const fs::path& run_directory, const std::vector<std::string
       throw Error(ErrorKind::usage,
                   fmt::format("--format {}: there are {}", format, fmt::join(report_formats(), ", ")));
   const RunRecord run = read_run(run_directory);
-  if (run.manifest.study == "stream")
-    throw Error(ErrorKind::usage,
-                printable(run_directory) + ": a stream; its report is written when it runs");
-  Report report = make_run_report(run);
   const fs::path folder = run_directory / "report";
+  const bool is_stream = run.manifest.study == "stream";
+  Report report = is_stream ? stored_report(folder / "report.json") : make_run_report(run);
   for (const std::string& format : formats) {
     if (format == "md") write_file_atomically(folder / "report.md", render_markdown(report));
     if (format == "html") write_file_atomically(folder / "report.html", render_html(report, run_directory));
-    if (format == "tex") write_latex(run, folder);
+    if (format == "tex" && is_stream) write_latex(report, folder);
+    if (format == "tex" && !is_stream) write_latex(run, folder);
     if (format == "csv") write_file_atomically(folder / "report.csv", render_csv(report));
     if (format == "json") write_file_atomically(folder / "report.json", render_json(report));
   }

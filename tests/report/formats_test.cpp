@@ -32,6 +32,13 @@ TEST(RenderCsv, HasALinePerCellThatReadsBack) {
   EXPECT_THAT(rows[1], ElementsAre("Timing", "Times, \"all\"", "of DD", "50 % & more_", "1.0 ± 0.1"));
 }
 
+TEST(RenderJson, ReadBackIsTheSameButForCharts) {
+  Report report = example();
+  for (ReportSection& section : report.sections) section.charts.clear();
+  EXPECT_EQ(render_json(report_from_json(render_json(report), "x")), render_json(report));
+  expect_error(ErrorKind::data, "x: is no report", [] { report_from_json("{}", "x"); });
+}
+
 TEST(RenderJson, HoldsTablesAndTheDataOfCharts) {
   const auto json = nlohmann::json::parse(render_json(example()));
   EXPECT_EQ(json["sections"][0]["tables"][0]["rows"][0][1], "1.0 ± 0.1");

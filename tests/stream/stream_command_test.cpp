@@ -42,6 +42,17 @@ TEST_F(StreamCommand, OffersTheFramesInTurnAndLeavesARunDirectory) {
   EXPECT_THAT(file_text(directory / "dataset.lock.json"), HasSubstr("a.depth.png"));
 }
 
+TEST_F(StreamCommand, ItsReportCanBeRenderedAgain) {
+  ASSERT_EQ(facet.run({"stream", "exp.yaml", "--rate", "fastest", "--frames", "20", "-q"}).exit_code, 0);
+  const auto directory = facet.latest("results", "exp");
+  const std::string page = file_text(directory / "report/report.md");
+  const auto run = facet.run({"report", directory.string(), "--format", "md,tex,csv"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(file_text(directory / "report/report.md"), page);
+  EXPECT_THAT(file_text(directory / "report/tables.tex"), HasSubstr("preprocessing"));
+  EXPECT_THAT(file_text(directory / "report/report.csv"), HasSubstr("frames per second"));
+}
+
 TEST_F(StreamCommand, SaysPlainlyWhereARateIsNotSustained) {
   const auto run =
       facet.run({"stream", "exp.yaml", "--rate", "100000", "--frames", "300", "--policy", "drop", "-q"});
