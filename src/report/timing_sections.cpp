@@ -93,8 +93,9 @@ ReportChart stage_chart(const std::string& dataset, const Summaries& methods) {
   const auto add = [&](const std::string& label, const auto& times_of) {
     RangeChart::Row row{label, {}};
     for (std::size_t m = 0; m < methods.size(); ++m)
-      row.ranges.push_back(
-          box_of(times_of(*methods[m]), static_cast<int>(m), label + ", " + methods[m]->method));
+      if (times_of(*methods[m]).n > 0)  // methods that are not the pipeline have none of its stages
+        row.ranges.push_back(
+            box_of(times_of(*methods[m]), static_cast<int>(m), label + ", " + methods[m]->method));
     chart.rows.push_back(std::move(row));
   };
   const auto layout = table3_layout();
@@ -104,6 +105,7 @@ ReportChart stage_chart(const std::string& dataset, const Summaries& methods) {
   add("Unattributed", [](const TimingSummary& s) { return s.unattributed; });
   add("Pose", [](const TimingSummary& s) { return s.pose; });
   add("Grasps", [](const TimingSummary& s) { return s.grasps; });
+  add("Total", [](const TimingSummary& s) { return s.total; });
   return {"Time per stage on " + dataset,
           std::move(chart),
           {"Boxes: median and quartiles; lines: 5 % to 95 % of the runs."}};
@@ -150,8 +152,9 @@ ReportTable detail_table(const TimingSummary& s) {
   table.caption = fmt::format("{} on {}, every stage [ms]", s.method, s.dataset);
   table.header = {"stage", "n",   "mean", "sd",     "p50",    "p90",
                   "p95",   "p99", "max",  "> 30.0", "> 33.3", "outliers"};
-  for (const NamedTimes& stage : s.stages) table.rows.push_back(detail_row(stage.name, stage.times));
-  table.rows.push_back(detail_row("unattributed", s.unattributed));
+  for (const NamedTimes& stage : s.stages)
+    if (stage.times.n > 0) table.rows.push_back(detail_row(stage.name, stage.times));
+  if (s.unattributed.n > 0) table.rows.push_back(detail_row("unattributed", s.unattributed));
   table.rows.push_back(detail_row("total", s.total));
   table.notes.push_back(fmt::format("First run {} ms; warm-up {} ms (n = {}).", optional_ms(s.first_ms),
                                     mean_and_deviation(s.warmup), s.warmup.n));
