@@ -40,8 +40,8 @@ class Stream : public ::testing::Test {
   }
   /// Name -> content of the three files of a prediction.
   std::vector<std::string> bytes_of(FrameResult& result) const {
-    const Prediction prediction{result.labels,   result.edges, result.surfaces,
-                                result.rejected, {},           result.note};
+    const Prediction prediction{result.labels, result.edges, result.surfaces, result.rejected, {},
+                                result.note,   result.window};
     const PredictionFiles files(folder_.path() / "frame");
     write_prediction(prediction, folder_.path() / "frame");
     std::vector<std::string> bytes;

@@ -1,9 +1,11 @@
 #include "surface/border_competition.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "core/image.hpp"
 #include "core/random.hpp"
 
 namespace facet {

@@ -137,7 +137,7 @@ TEST(PatchMoments, ARunIsItsPixelsOneByOne) {
   const auto q_at = [](int k) { return 1.1 + 0.01 * k * k; };
   for (int row = 0; row < 3; ++row) {
     run.add_run(-7.5, 30.5 + row, 20, q_at);
-    for (int k = 0; k < 20; ++k) add(pixels, -7.5 + k, 30.5 + row, at(k).q);
+    for (int k = 0; k < 20; ++k) add(pixels, -7.5 + k, 30.5 + row, q_at(k));
   }
   EXPECT_EQ(run.count(), 60);
   EXPECT_NEAR(run.fit(vague).at(0, 31).q, pixels.fit(vague).at(0, 31).q, 1e-9);
