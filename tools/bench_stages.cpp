@@ -19,36 +19,11 @@
 #include "experiment/calibration.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/experiment_reader.hpp"
+#include "stage_traffic.hpp"
 #include "synth/synthetic_frame.hpp"
 
 namespace facet {
 namespace {
-
-constexpr int idle = -1;  ///< the stage does nothing in that mode
-
-/// Bytes per pixel that a stage moves in each mode; 0: it touches no whole image.
-struct StageTraffic {
-  StageId id;
-  std::map<std::string, int> bytes_per_px;
-};
-const std::vector<StageTraffic> traffic{
-    {StageId::temporal, {{"default", 32}, {"paper", 32}, {"naive", idle}}},
-    {StageId::fill, {{"default", 12}, {"paper", 12}, {"naive", 1}}},
-    {StageId::wiener, {{"default", 28}, {"paper", 36}, {"naive", idle}}},
-    {StageId::gradient, {{"default", 12}, {"paper", 12}, {"naive", 12}}},
-    {StageId::depth_strength, {{"default", 5}, {"paper", 17}, {"naive", 17}}},
-    {StageId::depth_canny, {{"default", idle}, {"paper", 15}, {"naive", 8}}},
-    {StageId::crease_strength, {{"default", 59}, {"paper", 41}, {"naive", 41}}},
-    {StageId::crease_canny, {{"default", 54}, {"paper", 8}, {"naive", 8}}},
-    {StageId::morphology, {{"default", 14}, {"paper", 43}, {"naive", 12}}},
-    {StageId::labelling, {{"default", 31}, {"paper", 31}, {"naive", 31}}},
-    {StageId::support, {{"default", 28}, {"paper", idle}, {"naive", idle}}},
-    {StageId::contours, {{"default", 2}, {"paper", 16}, {"naive", 15}}},
-    {StageId::validation, {{"default", 4}, {"paper", 4}, {"naive", 0}}},
-    {StageId::pose, {{"default", 0}, {"paper", 0}, {"naive", 0}}},
-    {StageId::grasps, {{"default", 0}, {"paper", 0}, {"naive", 0}}},
-    {StageId::objects, {{"default", 3}, {"paper", idle}, {"naive", idle}}},
-};
 
 constexpr Size sizes[]{{320, 240}, {640, 480}, {640, 576}, {1280, 720}};
 constexpr int frames = 30;  ///< timed, after as many as the temporal average needs
@@ -115,10 +90,10 @@ void add(const MethodSpec& mode, std::string_view stage, Size size, int bytes_pe
 void add_mode(const MethodSpec& mode) {
   for (const Size size : sizes) {
     int total = 0;
-    for (const StageTraffic& row : traffic) {
+    for (const StageTraffic& row : stage_traffic()) {
       const int bytes_per_px = row.bytes_per_px.at(mode.name);
       const auto stage = static_cast<std::size_t>(index_of(row.id));
-      if (bytes_per_px == idle) continue;
+      if (bytes_per_px == StageTraffic::idle) continue;
       total += bytes_per_px;
       add(mode, stage_names[stage].key, size, bytes_per_px,
           [stage](const StageTimes& t) { return t.stage_ms[stage]; });

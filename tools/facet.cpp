@@ -10,6 +10,7 @@
 
 #include "compare_commands.hpp"
 #include "core/error.hpp"
+#include "exit_code.hpp"
 #include "facet_commands.hpp"
 #include "report_commands.hpp"
 #include "reproduce_command.hpp"
@@ -185,21 +186,6 @@ int dispatch(const CLI::App& app, Arguments& a) {
   if (dataset->got_subcommand("validate"))
     return command_dataset_validate(a.dataset, a.run.data_root, a.masks);
   return command_dataset_report(a.dataset, a.run.data_root, dataset->got_subcommand("verify"));
-}
-
-int exit_code_of(facet::ErrorKind kind) {
-  switch (kind) {
-    case facet::ErrorKind::usage:
-      return 2;
-    case facet::ErrorKind::config:
-      return 3;
-    case facet::ErrorKind::data:
-      return 4;
-    case facet::ErrorKind::not_measured:
-      return 6;
-    default:
-      return 70;
-  }
 }
 
 }  // namespace

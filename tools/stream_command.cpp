@@ -67,6 +67,9 @@ void add_stream_command(CLI::App& app, std::function<int()>& chosen,
       ->check(CLI::PositiveNumber);
   command->add_option("--seconds", a.seconds, "how long frames are offered")->check(CLI::PositiveNumber);
   command->add_option("--policy", a.policy, "where the first queue is full: block or drop");
+  command->add_option("--backend", a.run.backend, "cpu, cuda or auto")
+      ->check(CLI::IsMember({"cpu", "cuda", "auto"}))
+      ->capture_default_str();
   command->add_option("--set", a.run.overrides, "KEY=VALUE over the experiment file, repeatable")
       ->allow_extra_args(false);
   command->add_option("--seed", a.seed, "the same as --set seed=N")->check(CLI::NonNegativeNumber);

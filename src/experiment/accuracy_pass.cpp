@@ -64,7 +64,8 @@ void AccuracyPass::restore_finished() {
 MethodContext AccuracyPass::context_of(const Unit& unit) const {
   const PlannedDataset& planned = plan_.datasets[unit.dataset];
   return {planned.data->sensor(), static_cast<std::uint64_t>(experiment_.seed), 1,
-          directory_.path() / "programs" / experiment_.methods[unit.method].name / planned.spec.name};
+          directory_.path() / "programs" / experiment_.methods[unit.method].name / planned.spec.name,
+          plan_.backend.backend};
 }
 
 /// What has to be done once per method and data set.

@@ -2,6 +2,7 @@
 
 #include "dataset/checksum.hpp"
 #include "experiment/build_info_values.hpp"
+#include "method/backend.hpp"
 
 namespace facet {
 
@@ -12,7 +13,7 @@ const BuildInfo& build_info() {
                               FACET_COMPILER,
                               FACET_BUILD_TYPE,
                               FACET_FLAGS,
-                              "none: built without CUDA"};
+                              cuda_compiler().empty() ? "none: built without CUDA" : cuda_compiler()};
   return info;
 }
 

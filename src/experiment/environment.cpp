@@ -14,6 +14,7 @@
 #include "dataset/mkv_depth_track.hpp"
 #include "experiment/build_info.hpp"
 #include "file/file_bytes.hpp"
+#include "method/backend.hpp"
 
 namespace facet {
 namespace {
@@ -72,7 +73,12 @@ Json gpu() {
   json["name"] = known_or_reason(name, "no NVIDIA driver loaded");
   json["driver"] =
       known_or_reason(proc_value("/proc/driver/nvidia/version", "NVRM version"), "no NVIDIA driver loaded");
-  json["runtime"] = known_or_reason("", build_info().cuda);
+  const CudaSupport& cuda = cuda_support();
+  json["runtime"] = known_or_reason(cuda_compiler(), cuda.unusable);
+  json["driver_cuda"] = known_or_reason(cuda.driver, cuda.unusable);
+  json["device"] = known_or_reason(cuda.device, cuda.unusable);
+  json["backend"] =
+      choose_backend("auto").backend == Backend::cuda ? "cuda" : fmt::format("cpu: {}", cuda.unusable);
   return json;
 }
 

@@ -89,6 +89,7 @@ RunDirectory ExperimentRun::open_directory() {
 
 void ExperimentRun::describe_run() {
   manifest_ = make_manifest(experiment_, options_, plan_, identity_);
+  observer_.on_note(fmt::format("back end {}: {}", manifest_.backend, plan_.backend.reason));
   for (const PlannedDataset& planned : plan_.datasets)
     if (!planned.spec.root.empty())
       observer_.on_note(

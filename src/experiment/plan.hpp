@@ -6,6 +6,7 @@
 
 #include "experiment/experiment.hpp"
 #include "experiment/run_options.hpp"
+#include "method/backend.hpp"
 
 namespace facet {
 
@@ -27,6 +28,7 @@ struct Unit {
 struct Plan {
   std::vector<PlannedDataset> datasets;
   std::vector<Unit> units;
+  BackendChoice backend;
 
   std::size_t frame_count() const;  ///< frames times methods
 };

@@ -49,7 +49,7 @@ Manifest make_manifest(const Experiment& experiment, const RunOptions& options, 
   manifest.command = printable_all(options.command);
   manifest.config_hash = identity.config_hash;
   manifest.build = identity.build;
-  manifest.backend = "cpu";
+  manifest.backend = backend_name(plan.backend.backend);
   manifest.jobs = options.jobs;
   manifest.started_utc = utc_now();
   for (const MethodSpec& method : experiment.methods) manifest.methods.push_back(method.name);

@@ -4,19 +4,18 @@
 #include <opencv2/core/utility.hpp>
 #include <tbb/global_control.h>
 
-#include "core/error.hpp"
 #include "experiment/experiment_run.hpp"
 #include "method/registry.hpp"
 
 namespace facet {
 
 Plan check_experiment(const Experiment& experiment, const RunOptions& options) {
-  if (options.backend == "cuda")
-    throw Error(ErrorKind::not_measured,
-                "--backend cuda: this binary was built without CUDA; use cpu or auto");
+  const BackendChoice backend = choose_backend(options.backend);
   // What is wrong with a method is said before anything is computed.
   for (const MethodSpec& spec : experiment.methods) make_method(spec, {});
-  return make_plan(experiment, options);
+  Plan plan = make_plan(experiment, options);
+  plan.backend = backend;
+  return plan;
 }
 
 RunOutcome run_experiment(const Experiment& experiment, const RunOptions& options, RunObserver& observer,

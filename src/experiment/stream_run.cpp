@@ -5,7 +5,6 @@
 #include <tbb/global_control.h>
 
 #include "core/error.hpp"
-#include "cpu/cpu_pipeline.hpp"
 #include "experiment/build_info.hpp"
 #include "experiment/run_description.hpp"
 #include "file/file_bytes.hpp"
@@ -58,6 +57,7 @@ class StreamRun {
             RunDirectory::create(options.out, experiment_.name, identity_.config_hash, build_info().name())),
         manifest_(make_manifest(experiment_, options, plan_, identity_)) {
     manifest_.study = "stream";
+    observer_.on_note(fmt::format("back end {}: {}", manifest_.backend, plan_.backend.reason));
     publish_description(directory_, experiment_, manifest_);
   }
 
@@ -116,7 +116,7 @@ class StreamRun {
     const FrameSchedule schedule(options, recording.timestamps_s);
     const int threads = experiment_.timing.threads;
     StageFilters filters(options, [&](int count) {
-      return make_cpu_pipelines(count, with_sensor(method.params, planned.data->sensor()),
+      return make_pipelines(plan_.backend.backend, count, with_sensor(method.params, planned.data->sensor()),
                                 static_cast<std::uint64_t>(experiment_.seed), threads);
     });
     filters.warm_up(recording.inputs.front());

@@ -14,14 +14,17 @@ namespace {
 /// Times one method on one data set.
 class MethodTimer {
  public:
-  MethodTimer(const Experiment& experiment, const PlannedDataset& planned, const MethodSpec& spec,
-              Timings& timings)
+  MethodTimer(const Experiment& experiment, Backend backend, const PlannedDataset& planned,
+              const MethodSpec& spec, Timings& timings)
       : options_(experiment.timing),
         planned_(planned),
         spec_(spec),
         timings_(timings),
-        method_(make_method(spec, {planned.data->sensor(), static_cast<std::uint64_t>(experiment.seed),
-                                   experiment.timing.threads})) {}
+        method_(make_method(spec, {planned.data->sensor(),
+                                   static_cast<std::uint64_t>(experiment.seed),
+                                   experiment.timing.threads,
+                                   {},
+                                   backend})) {}
 
   Frame load(std::size_t index) {
     Frame frame;
@@ -122,7 +125,7 @@ Timings run_timing_pass(const Experiment& experiment, const Plan& plan, const Fr
         return stop_signal == 0;
       };
       arena.execute([&] {
-        MethodTimer timer(experiment, planned, spec, timings);
+        MethodTimer timer(experiment, plan.backend.backend, planned, spec, timings);
         if (planned.data->is_sequence())
           time_sequence(timer, frames, proceed);
         else

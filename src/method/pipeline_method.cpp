@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "cpu/cpu_pipeline.hpp"
-
 namespace facet {
 namespace {
 
@@ -50,7 +48,9 @@ std::unique_ptr<Method> wrap_pipeline(std::unique_ptr<Pipeline> pipeline) {
 
 std::unique_ptr<Method> make_pipeline_method(const MethodSpec& spec, const MethodContext& context) {
   return wrap_pipeline(
-      make_cpu_pipeline(with_sensor(spec.params, context.dataset_sensor), context.seed, context.threads));
+      std::move(make_pipelines(context.backend, 1, with_sensor(spec.params, context.dataset_sensor),
+                               context.seed, context.threads)
+                    .front()));
 }
 
 }  // namespace facet

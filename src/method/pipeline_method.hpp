@@ -7,7 +7,7 @@
 
 namespace facet {
 
-/// The pipeline on the CPU, with the sensor of the data set where the parameters say `auto`.
+/// The pipeline on the context's back end, with the sensor of the data set where the parameters say `auto`.
 std::unique_ptr<Method> make_pipeline_method(const MethodSpec& spec, const MethodContext& context);
 
 /// Edges always; poses and grasps unless the parameters switch them off.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/sensor.hpp"
+#include "method/backend.hpp"
 #include "method/method.hpp"
 #include "method/method_spec.hpp"
 #include "prediction/predicted_parts.hpp"
@@ -21,6 +22,7 @@ struct MethodContext {
   std::uint64_t seed = 1;
   int threads = 1;                    ///< inside one frame
   std::filesystem::path folder = {};  ///< takes what a program leaves; empty: nothing is kept
+  Backend backend = Backend::cpu;     ///< of the pipeline; other methods run on the CPU
 };
 
 /// What a run hands to a method before its first frame.

@@ -7,6 +7,8 @@
 namespace facet {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -133,10 +135,27 @@ TEST_F(CommandLine, ADryRunWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(facet.folder() / "out"));
 }
 
-TEST_F(CommandLine, CudaThatIsNotThereExitsSix) {
-  const auto result = facet.run({"run", "exp.yaml", "--backend", "cuda"});
+/// No device is visible to the program, whatever the machine has.
+void hide_devices() {
+  ::setenv("CUDA_VISIBLE_DEVICES", "", 1);
+}
+
+TEST_F(CommandLine, CudaThatIsNotThereExitsSixAndSaysWhy) {
+  const auto result = facet.run({"run", "exp.yaml", "--backend", "cuda", "-o", "out"}, hide_devices);
   EXPECT_EQ(result.exit_code, 6);
-  EXPECT_THAT(result.err, HasSubstr("without CUDA"));
+  EXPECT_THAT(result.err, HasSubstr("--backend cuda: "));
+  EXPECT_THAT(result.err,
+              AnyOf(HasSubstr("without CUDA"), HasSubstr("no NVIDIA driver"), HasSubstr("no CUDA device")));
+  EXPECT_FALSE(std::filesystem::exists(facet.folder() / "out"));
+}
+
+TEST_F(CommandLine, WithoutADeviceAutoRunsOnTheCpuAndTheRecordSaysSo) {
+  const auto result = facet.run({"run", "exp.yaml", "--backend", "auto", "-o", "out"}, hide_devices);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("back end cpu: "));
+  const std::filesystem::path run = facet.latest("out", "exp");
+  EXPECT_THAT(file_text(run / "manifest.json"), HasSubstr("\"backend\": \"cpu\""));
+  EXPECT_THAT(file_text(run / "env.json"), HasSubstr("\"backend\": \"cpu: "));
 }
 
 TEST_F(CommandLine, OutputBelowARegularFileIsAClearError) {
@@ -189,7 +208,7 @@ TEST_F(CommandLine, ListsAndDoctorAnswerOnStdout) {
   EXPECT_THAT(facet.run({"list", "methods"}).out, HasSubstr("timeout_s = 60"));
   EXPECT_THAT(facet.run({"list", "stages"}).out, HasSubstr("crease_canny"));
   EXPECT_THAT(facet.run({"list", "metrics"}).out, HasSubstr("surfaces"));
-  EXPECT_THAT(facet.run({"doctor"}).out, HasSubstr("\"cpu\""));
+  EXPECT_THAT(facet.run({"doctor"}).out, AllOf(HasSubstr("\"cpu\""), HasSubstr("\"backend\"")));
   EXPECT_THAT(facet.run({"dataset", "list"}).out, HasSubstr("osd"));
   EXPECT_THAT(facet.run({"dataset", "info", "synthetic"}).out, HasSubstr("frames  6"));
 }

@@ -27,7 +27,7 @@ set(cuda_uses pipeline stage surface core)
 set(libraries core stage surface file pipeline cpu prediction truth score synth synth_io dataset edge_pairs method overlay record report compare study stream)
 set(experiment_uses ${libraries})
 set(paper_uses ${libraries} experiment)
-set(tools_uses ${libraries} experiment paper)
+set(tools_uses ${libraries} cuda experiment paper)
 
 # Folders whose code also runs on a device: the standard library and nothing else.
 set(device_folders core stage)

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "core/image_view.hpp"
+#include "cuda/memory.cuh"
+
+namespace facet {
+
+/// Owning image in device memory, row-major, rows padded to 128 bytes, with a copy in host memory once that
+/// was asked for. Its memory is kept when it shrinks.
+template <class T>
+class DeviceImage {
+ public:
+  using value_type = T;
+
+  /// Sets the size; the contents are zero afterwards unless the size was the same already. Waits for the
+  /// device.
+  void resize(Size size) {
+    if (size == size_) return;
+    size_ = size.empty() ? Size{} : size;
+    stride_ = (size_.width + row_quantum - 1) / row_quantum * row_quantum;
+    host_taken_at_ = never;
+    if (size_.empty()) return;
+    memory_.reserve(bytes());
+    check_cuda(cudaMemset(memory_.template as<T>(), 0, bytes()), "clear an image");
+    check_cuda(cudaDeviceSynchronize(), "clear an image");  // the executors' streams do not wait for it
+  }
+  Size size() const { return size_; }
+  ImageView<T> view() { return view_of(memory_.template as<T>()); }
+  ImageView<const T> view() const { return view_of(memory_.template as<T>()); }
+
+  /// Where the host finds a copy that is as old as work number `work` on the device. Copies where work was
+  /// done since the last one.
+  ImageView<const T> host_copy(std::uint64_t work, cudaStream_t stream) const {
+    if (host_taken_at_ != work && !size_.empty()) {
+      host_.reserve(bytes());
+      check_cuda(cudaMemcpyAsync(host_.template as<T>(), memory_.template as<T>(), bytes(),
+                                 cudaMemcpyDeviceToHost, stream),
+                 "copy an image to the host");
+      check_cuda(cudaStreamSynchronize(stream), "copy an image to the host");
+      host_taken_at_ = work;
+    }
+    return view_of(host_.template as<T>());
+  }
+
+ private:
+  static constexpr int row_quantum = 128 / static_cast<int>(sizeof(T));
+  static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+
+  std::size_t bytes() const { return sizeof(T) * static_cast<std::size_t>(stride_) * size_.height; }
+  ImageView<T> view_of(T* data) const { return {data, size_.width, size_.height, stride_}; }
+
+  DeviceMemory memory_;
+  Size size_;
+  int stride_ = 0;
+  mutable PinnedMemory host_;
+  mutable std::uint64_t host_taken_at_ = never;
+};
+
+}  // namespace facet

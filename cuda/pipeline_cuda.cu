@@ -1,0 +1,70 @@
+#include "core/error.hpp"
+#include "cuda/cuda_floor.hpp"
+#include "cuda/cuda_pipeline.hpp"
+#include "cuda/executor.cuh"
+#include "pipeline/frame_check.hpp"
+#include "pipeline/pipeline_body.hpp"
+
+namespace facet {
+namespace {
+
+/// Counts the pieces of work of each stage instead of its milliseconds.
+class CountingExecutor : public CudaExecutor {
+ public:
+  template <class Work>
+  void timed(double& pieces, const Work& work) {
+    const auto before = work_given();
+    work();
+    pieces += static_cast<double>(work_given() - before);
+  }
+};
+
+void require_device() {
+  if (const std::string unusable = find_cuda_support().unusable; !unusable.empty())
+    throw Error(ErrorKind::not_measured, unusable);
+}
+
+class CudaPipeline final : public Pipeline {
+ public:
+  using History = PipelineBody<CudaExecutor>::History;
+
+  CudaPipeline(const PipelineParams& params, std::uint64_t seed, std::shared_ptr<History> history)
+      : body_(executor_, params, seed, std::move(history)) {}
+
+  void run(StageRange stages, const FrameInput& frame, FrameResult& result) override {
+    if (stages.contains(all_stages.first)) check_frame(frame);
+    body_.run(stages, frame, result);
+  }
+  void reset_history() override { body_.reset_history(); }
+
+ private:
+  CudaExecutor executor_;
+  PipelineBody<CudaExecutor> body_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Pipeline>> make_cuda_pipelines(int count, const PipelineParams& params,
+                                                           std::uint64_t seed) {
+  validate(params);
+  require_device();
+  const auto history = std::make_shared<CudaPipeline::History>();
+  std::vector<std::unique_ptr<Pipeline>> pipelines;
+  for (int i = 0; i < count; ++i) pipelines.push_back(std::make_unique<CudaPipeline>(params, seed, history));
+  return pipelines;
+}
+
+std::array<int, stage_count> count_cuda_work(const PipelineParams& params, const FrameInput& frame) {
+  validate(params);
+  require_device();
+  check_frame(frame);
+  CountingExecutor executor;
+  PipelineBody<CountingExecutor> body(executor, params, 1);
+  FrameResult result;
+  body.process(frame, result);
+  std::array<int, stage_count> pieces{};
+  for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i] = static_cast<int>(result.times.stage_ms[i]);
+  return pieces;
+}
+
+}  // namespace facet

@@ -1,0 +1,34 @@
+#include "method/backend.hpp"
+
+#include "core/error.hpp"
+#include "cpu/cpu_pipeline.hpp"
+
+namespace facet {
+
+std::string_view backend_name(Backend backend) {
+  return backend == Backend::cuda ? "cuda" : "cpu";
+}
+
+const CudaSupport& cuda_support() {
+  static const CudaSupport support = find_cuda_support();  // takes a while where there is a device
+  return support;
+}
+
+BackendChoice choose_backend(std::string_view asked) {
+  if (asked == "cpu") return {Backend::cpu, "as asked"};
+  if (asked != "cuda" && asked != "auto")
+    throw Error(ErrorKind::usage, "--backend: '" + std::string(asked) + "' is not cpu, cuda or auto");
+  const CudaSupport& cuda = cuda_support();
+  if (cuda.unusable.empty()) return {Backend::cuda, cuda.device};
+  if (asked == "auto") return {Backend::cpu, cuda.unusable};
+  throw Error(ErrorKind::not_measured, "--backend cuda: " + cuda.unusable + "; use cpu or auto");
+}
+
+std::vector<std::unique_ptr<Pipeline>> make_pipelines(Backend backend, int count,
+                                                      const PipelineParams& params, std::uint64_t seed,
+                                                      int threads) {
+  return backend == Backend::cuda ? make_cuda_pipelines(count, params, seed)
+                                  : make_cpu_pipelines(count, params, seed, threads);
+}
+
+}  // namespace facet
