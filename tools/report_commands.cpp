@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "experiment/gallery_pictures.hpp"
+#include "experiment/sequence_films.hpp"
 #include "report/write_report.hpp"
 
 namespace {
@@ -30,6 +31,13 @@ int run_gallery(const facet::GalleryRequest& request) {
   return 0;
 }
 
+/// 6 where a film is missing.
+int run_films(const std::filesystem::path& run) {
+  const facet::SequenceFilms films = facet::make_films(run);
+  fmt::print("{}\nfilms: {}\n", facet::render_console(films.report), (run / "report/films.html").string());
+  return films.is_complete ? 0 : 6;
+}
+
 void add_report(CLI::App& app, std::function<int()>& chosen) {
   const auto options = std::make_shared<ReportOptions>();
   CLI::App* report = app.add_subcommand("report", "render stored runs again, without images");
@@ -42,16 +50,24 @@ void add_report(CLI::App& app, std::function<int()>& chosen) {
 
 void add_gallery(CLI::App& app, std::function<int()>& chosen) {
   const auto request = std::make_shared<facet::GalleryRequest>();
-  CLI::App* gallery = app.add_subcommand("gallery", "the worst frames of a run as pictures");
+  const auto film = std::make_shared<bool>(false);
+  CLI::App* gallery =
+      app.add_subcommand("gallery", "the worst frames of a run as pictures, or its sequences as films");
   gallery->add_option("run", request->run, "run directory")->required();
-  gallery->add_option("--vs", request->baseline, "another run: the frames that are worst against it");
+  auto* films = gallery->add_flag("--film", *film, "films and contact sheets of the sequences, instead");
+  gallery->add_option("--vs", request->baseline, "another run: the frames that are worst against it")
+      ->excludes(films);
   gallery->add_option("--worst", request->worst, "frames of every data set and method")
       ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(films);
   gallery->add_option("--by", request->metric, "score that orders them, see `facet list metrics`")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(films);
   gallery->add_option("--data-root", request->data_root, "folder that holds the data sets; beats FACET_DATA");
-  gallery->callback([&chosen, request] { chosen = [request] { return run_gallery(*request); }; });
+  gallery->callback([&chosen, request, film] {
+    chosen = [request, film] { return *film ? run_films(request->run) : run_gallery(*request); };
+  });
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include "experiment/ablation_strips.hpp"
 #include "experiment/build_info.hpp"
 #include "experiment/calibration.hpp"
-#include "experiment/gallery_pictures.hpp"
 #include "experiment/publish_rows.hpp"
 #include "experiment/run_description.hpp"
 #include "experiment/study_expansion.hpp"
 #include "experiment/timing_pass.hpp"
+#include "experiment/wanted_galleries.hpp"
 #include "file/file_bytes.hpp"
 #include "method/stored_predictions.hpp"
 #include "report/timing_summary.hpp"
@@ -105,24 +105,22 @@ void ExperimentRun::note_gaps() {
     for (std::string& extra : extra_predictions(method, plan_)) manifest_.notes.push_back(std::move(extra));
 }
 
-void ExperimentRun::publish_gallery() {
-  if (experiment_.outputs.gallery == 0) return;
-  std::vector<GalleryEntry> entries =
-      worst_frames(rows_, GalleryRequest{}.metric, static_cast<std::size_t>(experiment_.outputs.gallery));
-  if (entries.empty()) return manifest_.notes.push_back("no gallery: no frame is scored by its surfaces");
-  for (std::string& problem : draw_gallery(experiment_, plan_, directory_.path(), entries))
-    manifest_.notes.push_back(std::move(problem));
-  directory_.publish("gallery/gallery.json", to_json(entries));
+void ExperimentRun::publish_galleries() {
+  for (WantedGallery& gallery : wanted_galleries(experiment_.outputs, rows_)) {
+    if (gallery.entries.empty()) {
+      manifest_.notes.emplace_back(gallery.why_empty);
+      continue;
+    }
+    for (std::string& problem : gallery.draw(experiment_, plan_, directory_.path(), gallery.entries))
+      manifest_.notes.push_back(std::move(problem));
+    directory_.publish(gallery.file, to_json(gallery.entries));
+  }
 }
 
-void ExperimentRun::publish_disputed() {
-  if (experiment_.outputs.disputed == 0) return;
-  std::vector<GalleryEntry> entries =
-      disputed_frames(rows_, GalleryRequest{}.metric, static_cast<std::size_t>(experiment_.outputs.disputed));
-  if (entries.empty()) return manifest_.notes.push_back("no frame is disputed");
-  for (std::string& problem : draw_disputed(experiment_, plan_, directory_.path(), entries))
-    manifest_.notes.push_back(std::move(problem));
-  directory_.publish("gallery/disputed.json", to_json(entries));
+void ExperimentRun::publish_strips() {
+  const bool kept = experiment_.outputs.overlays && experiment_.outputs.predictions;
+  if (options_.study == Study::ablation && kept)
+    write_ablation_strips(plan_ablations(source_.ablations, source_.methods), plan_, directory_.path());
 }
 
 /// Programs are timed whether or not there is a timing pass.
@@ -157,14 +155,12 @@ void ExperimentRun::time_methods(const AccuracyPass& pass) {
 
 void ExperimentRun::publish_results(const AccuracyPass& pass, bool stopped_early) {
   publish_rows(directory_, experiment_, manifest_, rows_);
-  publish_gallery();
-  publish_disputed();
+  publish_galleries();
+  publish_strips();
   if (!stopped_early) time_methods(pass);
   // What is paired over all frames is for the whole run: merge does it for shards.
   if (stop_signal_ != 0 || !options_.shard.is_whole()) return;
   publish_study(directory_, source_, options_.study);
-  if (options_.study == Study::ablation && experiment_.outputs.overlays && experiment_.outputs.predictions)
-    write_ablation_strips(plan_ablations(source_.ablations, source_.methods), plan_, directory_.path());
 }
 
 /// Points that an earlier sweep has computed are taken over as if this run had been resumed.

@@ -25,8 +25,8 @@ class ExperimentRun {
   int failed() const { return manifest_.frames_data_error + manifest_.frames_method_error; }
   void publish_results(const AccuracyPass& pass, bool stopped_early);
   void adopt_points();
-  void publish_gallery();
-  void publish_disputed();
+  void publish_galleries();
+  void publish_strips();
   void publish_program_times(const AccuracyPass& pass);
   void time_methods(const AccuracyPass& pass);
   int exit_code(bool stopped_early) const;

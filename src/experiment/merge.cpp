@@ -6,10 +6,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
 #include "experiment/publish_rows.hpp"
-#include "experiment/shard.hpp"
+#include "experiment/shard_runs.hpp"
 #include "experiment/study_expansion.hpp"
+#include "experiment/wanted_galleries.hpp"
 #include "file/file_bytes.hpp"
 #include "record/run_record.hpp"
 #include "report/timing_summary.hpp"
@@ -22,63 +22,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-struct ShardRun {
-  fs::path path;
-  RunRecord run;
-  Shard shard;
-};
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw Error(ErrorKind::data, "merge: " + message);
-}
-
-ShardRun read_shard(const fs::path& path) {
-  ShardRun shard{path, read_run(path), {}};
-  const Manifest& m = shard.run.manifest;
-  if (m.shard.empty()) refuse(printable(path) + ": not run with --shard");
-  shard.shard = parse_shard(m.shard);
-  const auto rows = static_cast<int>(shard.run.frames.size());
-  if (m.finished_utc.empty() || m.status == RunStatus::partial || rows != m.frames_planned)
-    refuse(fmt::format("{}: not finished, it has {} of {} rows; complete it with --resume", printable(path),
-                       rows, m.frames_planned));
-  return shard;
-}
-
-/// In the order of their numbers; every number once.
-std::vector<ShardRun> read_shards(const std::vector<fs::path>& paths) {
-  std::vector<ShardRun> shards;
-  for (const fs::path& path : paths) shards.push_back(read_shard(path));
-  std::sort(shards.begin(), shards.end(),
-            [](const ShardRun& a, const ShardRun& b) { return a.shard.index < b.shard.index; });
-  const ShardRun& first = shards.front();
-  for (const ShardRun& s : shards) {
-    const Manifest &m = s.run.manifest, &n = first.run.manifest;
-    if (m.config_hash != n.config_hash)
-      refuse(fmt::format("{} has another configuration than {}", printable(s.path), printable(first.path)));
-    if (m.build != n.build)
-      refuse(fmt::format("{} is of build {}, {} of {}", printable(s.path), m.build, printable(first.path),
-                         n.build));
-    if (s.shard.count != first.shard.count)
-      refuse(fmt::format("{} is shard {}, {} is {}", printable(s.path), m.shard, printable(first.path),
-                         n.shard));
-  }
-  for (int i = 1; i <= first.shard.count; ++i) {
-    const auto count =
-        std::count_if(shards.begin(), shards.end(), [&](const auto& s) { return s.shard.index == i; });
-    if (count == 0) refuse(fmt::format("shard {}/{} is missing", i, first.shard.count));
-    if (count > 1) refuse(fmt::format("shard {}/{} stands {} times", i, first.shard.count, count));
-  }
-  return shards;
-}
-
 std::vector<FrameRow> joined_rows(const std::vector<ShardRun>& shards) {
   std::vector<FrameRow> rows;
   for (const ShardRun& s : shards) rows.insert(rows.end(), s.run.frames.begin(), s.run.frames.end());
   std::sort(rows.begin(), rows.end(), row_before);
   for (std::size_t i = 1; i < rows.size(); ++i)
     if (!row_before(rows[i - 1], rows[i]))
-      refuse(fmt::format("{}/{} of method {} stands in two shards", rows[i].dataset, rows[i].frame,
-                         rows[i].method));
+      refuse_merge(fmt::format("{}/{} of method {} stands in two shards", rows[i].dataset, rows[i].frame,
+                               rows[i].method));
   return rows;
 }
 
@@ -93,7 +44,8 @@ std::string joined_lock(const std::vector<ShardRun>& shards) {
       if (!joined.contains(name)) joined[name]["root"] = dataset.at("root");
       for (const auto& [file, hash] : dataset.at("sha256").items())
         if (hashes[name].emplace(file, hash).first->second != hash)
-          refuse(fmt::format("{}: {} of data set {} has another checksum", printable(s.path), file, name));
+          refuse_merge(
+              fmt::format("{}: {} of data set {} has another checksum", printable(s.path), file, name));
     }
   }
   for (auto& [name, dataset] : joined.items()) {
@@ -126,10 +78,39 @@ Manifest joined_manifest(const std::vector<ShardRun>& shards, const std::vector<
 void copy_outputs(const std::vector<ShardRun>& shards, const RunDirectory& directory) {
   constexpr auto options = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
   for (const ShardRun& s : shards)
-    for (const char* folder : {"predictions", "overlays"})
+    for (const char* folder : {"predictions", "overlays", "strips", "programs"})
       if (fs::exists(s.path / folder)) fs::copy(s.path / folder, directory.path() / folder, options);
   for (const char* file : {"config.resolved.yaml", "env.json"})
     write_file_atomically(directory.path() / file, read_file_bytes(shards.front().path / file));
+}
+
+/// Takes the picture that a shard drew of the entry.
+void take_picture(const std::vector<ShardRun>& shards, const RunDirectory& directory,
+                  const WantedGallery& gallery, GalleryEntry& entry) {
+  const auto is_same = [&](const GalleryEntry& other) {
+    return other.dataset == entry.dataset && other.frame == entry.frame && other.method == entry.method;
+  };
+  for (const ShardRun& s : shards) {
+    const std::vector<GalleryEntry>& kept = s.run.*gallery.kept;
+    const auto found = std::find_if(kept.begin(), kept.end(), is_same);
+    if (found == kept.end()) continue;
+    entry.picture = found->picture;
+    if (!entry.picture.empty() && fs::exists(s.path / entry.picture))
+      write_file_atomically(directory.path() / entry.picture, read_file_bytes(s.path / entry.picture));
+  }
+}
+
+void join_galleries(const std::vector<ShardRun>& shards, const std::vector<FrameRow>& rows,
+                    const OutputOptions& outputs, const RunDirectory& directory, Manifest& manifest) {
+  for (WantedGallery& gallery : wanted_galleries(outputs, rows)) {
+    std::erase(manifest.notes, gallery.why_empty);  // what a shard said of its part
+    if (gallery.entries.empty()) {
+      manifest.notes.emplace_back(gallery.why_empty);
+      continue;
+    }
+    for (GalleryEntry& entry : gallery.entries) take_picture(shards, directory, gallery, entry);
+    directory.publish(gallery.file, to_json(gallery.entries));
+  }
 }
 
 void publish_times(const std::vector<ShardRun>& shards, const RunDirectory& directory) {
@@ -164,13 +145,14 @@ RunOutcome merge_runs(const std::vector<fs::path>& paths, const fs::path& out,
   const std::vector<ShardRun> shards = read_shards(paths);
   const std::vector<FrameRow> rows = joined_rows(shards);
   const std::string lock = joined_lock(shards);
-  const Manifest manifest = joined_manifest(shards, rows, command);
+  Manifest manifest = joined_manifest(shards, rows, command);
   const RunDirectory directory =
       RunDirectory::create(out, manifest.experiment, manifest.config_hash, manifest.build);
   copy_outputs(shards, directory);
   directory.publish("dataset.lock.json", lock);
   const Experiment experiment = load_experiment(shards.front().path / "config.resolved.yaml").experiment;
   publish_rows(directory, experiment, manifest, rows);
+  join_galleries(shards, rows, experiment.outputs, directory, manifest);
   publish_times(shards, directory);
   directory.publish("manifest.json", to_json(manifest));
   publish_study(directory, experiment, study_named(manifest.study));

@@ -1,6 +1,7 @@
 #include "experiment/publish_rows.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "experiment/sweep_plan.hpp"
 #include "record/outcome_csv.hpp"
@@ -27,6 +28,13 @@ void publish_ablation(const RunDirectory& directory, const Experiment& experimen
   directory.publish("timing/ablation.json", ablation_to_json(ablation_costs(plan, run)));
 }
 
+/// A level of what a data set varies; without an axis the whole of every data set.
+struct SweepLevel {
+  std::string dataset, axis;
+  std::optional<double> value;
+  auto operator<=>(const SweepLevel&) const = default;
+};
+
 SweepRow row_at(const SweepPoint& point, const std::string& dataset, const std::string& measure) {
   SweepRow row;
   row.method = point.method.name;
@@ -37,27 +45,50 @@ SweepRow row_at(const SweepPoint& point, const std::string& dataset, const std::
   return row;
 }
 
-void publish_sweep(const RunDirectory& directory, const Experiment& experiment, const RunRecord& run) {
-  std::vector<SweepRow> scores, times;
-  const std::vector<TimingSummary> timing = summarize_timing(run.timing);
-  for (const SweepPoint& point : plan_sweep(experiment)) {
-    for (const ScoreResult& result : run.scores) {
+/// Scores of the points on the data sets, or on the frames of one level.
+void add_scores(const std::vector<SweepPoint>& points, const std::vector<ScoreResult>& results,
+                const SweepLevel& level, std::vector<SweepRow>& rows) {
+  for (const SweepPoint& point : points)
+    for (const ScoreResult& result : results) {
       if (result.method != point.method.name) continue;
+      if (!level.axis.empty() && result.dataset != level.dataset) continue;
       for (const std::string& measure : AblationOptions{}.metrics) {
         const ScoreCell& cell = result.cell(measure);
-        scores.push_back(row_at(point, result.dataset, measure));
-        scores.back().value = cell.value;
-        scores.back().lo = cell.lo;
-        scores.back().hi = cell.hi;
-        scores.back().reason = cell.reason;
+        SweepRow& row = rows.emplace_back(row_at(point, result.dataset, measure));
+        row.axis = level.axis;
+        row.level = level.value;
+        row.value = cell.value;
+        row.lo = cell.lo;
+        row.hi = cell.hi;
+        row.reason = cell.reason;
       }
     }
+}
+
+/// The frames of every level of what data sets vary.
+std::map<SweepLevel, std::vector<FrameRow>> rows_by_level(const std::vector<FrameRow>& rows) {
+  std::map<SweepLevel, std::vector<FrameRow>> levels;
+  for (const FrameRow& row : rows)
+    if (!row.axis.empty()) levels[{row.dataset, row.axis, row.level}].push_back(row);
+  return levels;
+}
+
+void publish_sweep(const RunDirectory& directory, const Experiment& experiment, const RunRecord& run) {
+  std::vector<SweepRow> scores, times;
+  const std::vector<SweepPoint> points = plan_sweep(experiment);
+  add_scores(points, run.scores, {}, scores);
+  for (const auto& [level, rows] : rows_by_level(run.frames))
+    add_scores(points,
+               score_results_from_json(
+                   metrics_summary_json(run.manifest, rows, wanted_scores(experiment, run.frames))),
+               level, scores);
+  const std::vector<TimingSummary> timing = summarize_timing(run.timing);
+  for (const SweepPoint& point : points)
     for (const TimingSummary& summary : timing) {
       if (summary.method != point.method.name) continue;
       times.push_back(row_at(point, summary.dataset, "total_ms"));
       times.back().value = summary.total.mean_ms;
     }
-  }
   directory.publish("metrics/sweep.json", sweep_to_json(scores));
   directory.publish("timing/sweep.json", sweep_to_json(times));
 }

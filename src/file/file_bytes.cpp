@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "file/publish_file.hpp"
 
 namespace facet {
 namespace {
@@ -49,9 +50,11 @@ constexpr const char* temporary_suffix = ".tmp-";
 /// A temporary file that vanishes unless it was published.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::filesystem::path& target) : target_(target), path_(target) {
+  /// Its name ends in `extension`, for libraries that go by that.
+  explicit TemporaryFile(const std::filesystem::path& target, const std::string& extension = {})
+      : target_(target), path_(target) {
     static std::atomic<unsigned> counter = 0;
-    path_ += temporary_suffix + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+    path_ += temporary_suffix + std::to_string(::getpid()) + "-" + std::to_string(counter++) + extension;
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (descriptor_ < 0) fail_writing(path_);
   }
@@ -61,6 +64,7 @@ class TemporaryFile {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!path_.empty()) ::unlink(path_.c_str());
   }
+  const std::filesystem::path& path() const { return path_; }
   void write(std::span<const std::uint8_t> bytes) { write_all(descriptor_, bytes, target_); }
   void publish() {
     const int closed = ::close(descriptor_);  // a full disk may show only here
@@ -73,6 +77,14 @@ class TemporaryFile {
   std::filesystem::path target_, path_;
   int descriptor_ = -1;
 };
+
+void make_folder_of(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+  if (error)
+    throw Error(ErrorKind::internal,
+                printable(path.parent_path()) + ": folder cannot be made: " + error.message());
+}
 
 }  // namespace
 
@@ -115,13 +127,17 @@ std::vector<std::uint8_t> read_file_bytes(const std::filesystem::path& path) {
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  if (error)
-    throw Error(ErrorKind::internal,
-                printable(path.parent_path()) + ": folder cannot be made: " + error.message());
+  make_folder_of(path);
   TemporaryFile file(path);
   file.write(bytes);
+  file.publish();
+}
+
+void publish_file(const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path& place)>& write) {
+  make_folder_of(path);
+  TemporaryFile file(path, path.extension().string());
+  write(file.path());
   file.publish();
 }
 

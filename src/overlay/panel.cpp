@@ -66,6 +66,18 @@ int draw_text(cv::Mat& image, const std::string& text, cv::Point corner, const c
   return text_width(text);
 }
 
+cv::Mat fitted(const cv::Mat& picture, cv::Size size) {
+  const double scale = std::min(static_cast<double>(size.width) / picture.cols,
+                                static_cast<double>(size.height) / picture.rows);
+  const cv::Size drawn(std::clamp(static_cast<int>(std::lround(picture.cols * scale)), 1, size.width),
+                       std::clamp(static_cast<int>(std::lround(picture.rows * scale)), 1, size.height));
+  cv::Mat image(size, CV_8UC3, white);
+  cv::Mat middle =
+      image({(size.width - drawn.width) / 2, (size.height - drawn.height) / 2, drawn.width, drawn.height});
+  cv::resize(picture, middle, drawn, 0, 0, cv::INTER_AREA);
+  return image;
+}
+
 cv::Mat panel_grid(const std::vector<std::vector<cv::Mat>>& rows) {
   constexpr int margin_px = 10;
   const auto white_border = [](const cv::Mat& panel, int bottom, int left, int right) {

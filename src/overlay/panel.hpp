@@ -41,6 +41,9 @@ inline constexpr int text_height_px = 18;  ///< of a line without spacing
 cv::Mat with_title(const cv::Mat& panel, const std::string& title,
                    const std::vector<LegendEntry>& legend = {});
 
+/// The picture in the middle of a white image of that size, aspect kept.
+cv::Mat fitted(const cv::Mat& picture, cv::Size size);
+
 /// Panels in rows, white between them. All panels of a row have the same height.
 cv::Mat panel_grid(const std::vector<std::vector<cv::Mat>>& rows);
 

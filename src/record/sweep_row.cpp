@@ -15,6 +15,8 @@ void visit_row(Row& row, Visitor&& visit) {
   visit("base", row.base);
   visit("settings", row.settings);
   visit("dataset", row.dataset);
+  visit("axis", row.axis);
+  visit("level", row.level);
   visit("measure", row.measure);
   visit("value", row.value);
   visit("lo", row.lo);

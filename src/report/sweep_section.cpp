@@ -19,6 +19,7 @@ struct SweepTable {
 std::vector<SweepTable> tables_of(const std::vector<SweepRow>& rows) {
   std::vector<SweepTable> tables;
   for (const SweepRow& row : rows) {
+    if (!row.axis.empty()) continue;  // curves over what a data set varies are a section of their own
     auto table = std::find_if(tables.begin(), tables.end(),
                               [&](const auto& t) { return t.base == row.base && t.dataset == row.dataset; });
     if (table == tables.end()) table = tables.insert(table, {row.base, row.dataset, {}, {}, {}});

@@ -14,7 +14,8 @@ using ::testing::HasSubstr;
 std::map<std::string, std::string> lasting_files(const std::filesystem::path& run) {
   auto files = contents_below(run / "predictions");
   files.merge(contents_below(run / "metrics"));
-  files.merge(contents_below(run / "overlays"));
+  for (const char* folder : {"overlays", "gallery", "strips"})
+    if (std::filesystem::exists(run / folder)) files.merge(contents_below(run / folder));
   files["frames.jsonl"] = file_text(run / "frames.jsonl");
   files["dataset.lock.json"] = file_text(run / "dataset.lock.json");
   files["config.resolved.yaml"] = file_text(run / "config.resolved.yaml");
@@ -53,6 +54,37 @@ TEST_F(MergeCommand, ShardsGiveTheBytesOfTheWhole) {
   EXPECT_EQ(lasting_files(facet.latest("merged", "exp")), lasting_files(whole));
   EXPECT_THAT(file_text(facet.latest("merged", "exp") / "timing/samples.csv"),
               HasSubstr("small,f6,b,steady,1"));
+}
+
+TEST_F(MergeCommand, TheWorstAndTheDisputedFramesAreThoseOfTheWhole) {
+  facet.write("spec.yaml", "schema: 1\nname: s\nsets: [{name: set, scenes: boxes, count: 5}]\n");
+  facet.write("exp.yaml",
+              "schema: 1\ndatasets: [{name: set, reader: benchmark, root: spec.yaml, cache: cache}]\n"
+              "methods: [{name: a}, {name: b, params: {wiener.enabled: false}}]\ntiming: {repeats: 0}\n"
+              "outputs: {overlays: false, gallery: 2, disputed: 1}\n");
+  const std::filesystem::path whole = run("whole");
+  ASSERT_EQ(contents_below(whole / "gallery").size(), 2 + 4 + 1u) << "lists, two of each method, disputed";
+  const auto merged = merge({run("parts", {"--shard", "1/2"}), run("parts", {"--shard", "2/2"})});
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(lasting_files(facet.latest("merged", "exp")), lasting_files(whole));
+}
+
+TEST_F(MergeCommand, AnAblationHasTheStripsOfTheWhole) {
+  facet.write("exp.yaml", "schema: 1\n" + small_dataset +
+                              "methods: [{name: paper}]\ntiming: {repeats: 0}\n"
+                              "ablation: {design: leave_one_out, base: paper, switches: [fill, wiener]}\n");
+  const auto ablate = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"ablate", "exp.yaml", "-o", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto result = facet.run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return facet.latest(out, "exp").string();
+  };
+  const std::filesystem::path whole = ablate("whole", {});
+  ASSERT_EQ(contents_below(whole / "strips").size(), 7u);
+  const auto merged = merge({ablate("parts", {"--shard", "1/2"}), ablate("parts", {"--shard", "2/2"})});
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(lasting_files(facet.latest("merged", "exp")), lasting_files(whole));
 }
 
 TEST_F(MergeCommand, RefusesGapsAndDoubles) {

@@ -36,6 +36,28 @@ TEST_F(SweepCommand, RunsEveryCombinationAndStoresItsCurve) {
   EXPECT_THAT(result.out, HasSubstr("Sweep of method default on small"));
 }
 
+TEST_F(SweepCommand, WhatADataSetVariesIsAnAxisToo) {
+  facet.write("spec.yaml",
+              "schema: 1\nname: s\nsets: [{name: set, scenes: boxes, count: 1, vary: {noise: [0, 2]}}]\n");
+  facet.write("exp.yaml",
+              "schema: 1\ndatasets: [{name: set, reader: benchmark, root: spec.yaml, cache: cache}]\n"
+              "sweep: {wiener.window_px: [3, 5]}\ntiming: {repeats: 0}\n");
+  const auto result = facet.run({"sweep", "exp.yaml", "-o", "out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto rows =
+      nlohmann::json::parse(file_text(facet.latest("out", "exp") / "metrics/sweep.json")).at("rows");
+  std::map<std::string, std::vector<double>> levels;  // of recall, by point; -1: all frames
+  for (const auto& row : rows)
+    if (row.at("measure") == "surface_recall_0.5") {
+      EXPECT_TRUE(row.at("value").is_number());
+      EXPECT_EQ(row.at("axis"), row.at("level").is_null() ? "" : "noise");
+      levels[row.at("method")].push_back(row.at("level").is_null() ? -1 : row.at("level").get<double>());
+    }
+  const std::vector<double> both{-1, 0, 2};
+  EXPECT_EQ(levels, (std::map<std::string, std::vector<double>>{{"default.wiener.window_px-3", both},
+                                                                {"default.wiener.window_px-5", both}}));
+}
+
 TEST_F(SweepCommand, TakesOverPointsThatWereComputed) {
   ASSERT_EQ(sweep("wiener.window_px: [3, 5]").exit_code, 0);
   const auto first = facet.latest("out", "exp");
