@@ -132,8 +132,12 @@ class BenchmarkDataset : public ListedDataset {
 
   std::optional<FrameAnnotation> annotation(std::size_t index, const Frame& frame) const override {
     const auto [part, planned] = planned_at(index);
-    return read_frame_annotation(place_.folder / part.name / "truth", planned.id, frame.depth_m.size(),
-                                 masks_of(frame));
+    auto annotation = read_frame_annotation(place_.folder / part.name / "truth", planned.id,
+                                            frame.depth_m.size(), masks_of(frame));
+    // Where the cache is must not show in results.
+    if (annotation && place_.rendered)
+      annotation->source = "rendered benchmark '" + place_.spec.name + "', " + part.name;
+    return annotation;
   }
 
  private:

@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What comparisons and reports read; the manifest last, which makes the folder a run.
-constexpr std::array stored_files{
-    "frames.jsonl", "metrics/summary.json", "timing/samples.csv", "timing/io.csv", "timing/calibration.json",
-    "env.json",     "config.resolved.yaml", "manifest.json"};
+/// What comparisons read; the manifest last, which makes the folder a run.
+constexpr std::array stored_files{"frames.jsonl",  "timing/samples.csv",
+                                  "timing/io.csv", "timing/calibration.json",
+                                  "env.json",      "manifest.json"};
 
 std::string history_line(const BaselineEntry& entry) {
   nlohmann::ordered_json json;
