@@ -23,9 +23,11 @@ class DeviceImage {
     stride_ = (size_.width + row_quantum - 1) / row_quantum * row_quantum;
     host_taken_at_ = never;
     if (size_.empty()) return;
+    // The executors' streams and this do not wait for each other.
+    check_cuda(cudaDeviceSynchronize(), "finish an image's work");
     memory_.reserve(bytes());
     check_cuda(cudaMemset(memory_.template as<T>(), 0, bytes()), "clear an image");
-    check_cuda(cudaDeviceSynchronize(), "clear an image");  // the executors' streams do not wait for it
+    check_cuda(cudaDeviceSynchronize(), "clear an image");
   }
   Size size() const { return size_; }
   ImageView<T> view() { return view_of(memory_.template as<T>()); }

@@ -35,26 +35,27 @@ __global__ void publish_flag_kernel(Flag* flag, volatile Flag* host_slot) {
   *flag = 0;
 }
 
-/// Operation of the pixels that are set in a mask.
-template <class Op>
-struct WhereSetOp {
-  Op op;
-  ImageView<const std::uint8_t> mask;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access access) const {
-    if (mask(x, y)) op(x, y, access);
+/// Launches them; a thread per pixel, in a stream.
+struct CudaKernels {
+  /// op(x, y, access) for every pixel.
+  template <class Op>
+  static void for_each_pixel(const Op& op, Size size, cudaStream_t stream) {
+    pixel_kernel<<<blocks(size), threads(), 0, stream>>>(op, size);
   }
-};
+  /// Adds the integers op(x, y) of all pixels to *sum.
+  template <class Op>
+  static void add_up(const Op& op, Size size, unsigned long long* sum, cudaStream_t stream) {
+    sum_kernel<<<blocks(size), threads(), 0, stream>>>(op, size, sum);
+  }
+  /// *host_slot = *flag, *flag = 0.
+  static void publish_flag(int* flag, volatile int* host_slot, cudaStream_t stream) {
+    publish_flag_kernel<<<1, 1, 0, stream>>>(flag, host_slot);
+  }
 
-template <class T>
-struct SetOp {
-  ImageView<T> image;
-  T value;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
-    image(x, y) = value;
+ private:
+  static dim3 threads() { return {Launch::block_width, Launch::block_height}; }
+  static dim3 blocks(Size size) {
+    return {static_cast<unsigned>(Launch::blocks_x(size)), static_cast<unsigned>(Launch::blocks_y(size))};
   }
 };
 

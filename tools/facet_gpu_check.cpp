@@ -29,7 +29,7 @@ struct Arguments {
   std::string frames = "frames", make_frames, json, markdown, backend = "cuda";
   bool device = false;
   std::vector<std::string> facts;
-  int warmup = 20, repeats = 200, in_flight = 8, batch_frames = 10000;
+  int warmup = 20, repeats = 1000, in_flight = 8, batch_frames = 10000;
 };
 
 int make_frames(const std::string& folder) {

@@ -74,7 +74,13 @@ Times::Times(std::vector<double> ms) : ms_(std::move(ms)) {
   std::sort(ms_.begin(), ms_.end());
 }
 
-double Times::quantile(double share) const {
+std::optional<double> Times::quantile(double share) const {
+  const std::size_t least = share > 0.95 ? 662 : share > 0.9 ? 130 : 64;
+  if (ms_.size() < least) return std::nullopt;
+  return ranked(share);
+}
+
+double Times::ranked(double share) const {
   if (ms_.empty()) return 0;
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(ms_.size())));
   return ms_[std::max<std::size_t>(rank, 1) - 1];

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,11 +20,15 @@ class Times {
   Times() = default;
   explicit Times(std::vector<double> ms);
   std::size_t count() const { return ms_.size(); }
-  /// The smallest time that no less than this share of all is at or below; 0 without any.
-  double quantile(double share) const;
-  double median() const { return quantile(0.5); }
+  /// 0 without any.
+  double median() const { return ranked(0.5); }
+  /// The smallest time that no less than this share of all is at or below; nothing where there are too few to
+  /// tell: 64 for a share up to 0.9, 130 up to 0.95, 662 beyond.
+  std::optional<double> quantile(double share) const;
 
  private:
+  double ranked(double share) const;
+
   std::vector<double> ms_;
 };
 

@@ -11,11 +11,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Beside n, which says why a quantile is not there.
 Json quantiles(const Times& times) {
-  return {{"n", times.count()},
-          {"p50", times.median()},
-          {"p90", times.quantile(0.9)},
-          {"p99", times.quantile(0.99)}};
+  Json json{{"n", times.count()}, {"p50", times.median()}, {"p90", nullptr}, {"p99", nullptr}};
+  if (const auto p90 = times.quantile(0.9)) json["p90"] = *p90;
+  if (const auto p99 = times.quantile(0.99)) json["p99"] = *p99;
+  return json;
+}
+std::string text_of(const std::optional<double>& ms) {
+  return ms ? fmt::format("{:.3f}", *ms) : "n/a";
 }
 
 int bytes_per_px(StageId id) {
@@ -94,11 +98,11 @@ void write_latencies(std::string& text, const GpuReport& report) {
   for (const SizeReport& size : report.sizes) {
     const Times& t = size.latency.total;
     text += fmt::format(
-        "| {} | {:.3f} | {:.3f} | {:.3f} | {} | {:.1f} | {:.3f} | {} in flight: {:.0f} frames/s, p50 {:.3f} "
+        "| {} | {:.3f} | {} | {} | {} | {:.1f} | {:.3f} | {} in flight: {:.0f} frames/s, p50 {:.3f} "
         "ms |\n",
-        size_name(size.size), t.median(), t.quantile(0.9), t.quantile(0.99), t.count(), size.latency.first_ms,
-        size.cpu.total.median(), size.side_by_side.in_flight, size.side_by_side.frames_per_s(),
-        size.side_by_side.latency.median());
+        size_name(size.size), t.median(), text_of(t.quantile(0.9)), text_of(t.quantile(0.99)), t.count(),
+        size.latency.first_ms, size.cpu.total.median(), size.side_by_side.in_flight,
+        size.side_by_side.frames_per_s(), size.side_by_side.latency.median());
   }
   text += fmt::format(
       "\nBatch: {} frames, {} in flight: {:.0f} frames/s. Decoding on one thread: {:.0f} frames/s.\n",
