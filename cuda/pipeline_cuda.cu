@@ -2,6 +2,7 @@
 #include "cuda/cuda_floor.hpp"
 #include "cuda/cuda_pipeline.hpp"
 #include "cuda/executor.cuh"
+#include "cuda/tuned/overloads.cuh"
 #include "pipeline/frame_check.hpp"
 #include "pipeline/pipeline_body.hpp"
 

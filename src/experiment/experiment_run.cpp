@@ -54,7 +54,7 @@ ExperimentRun::ExperimentRun(const Experiment& experiment, const RunOptions& opt
       observer_(observer),
       stop_signal_(stop_signal),
       plan_(check_experiment(experiment_, options)),
-      identity_{config_hash(experiment, options), build_identity()},
+      identity_(make_identity(experiment, options, plan_)),
       directory_(open_directory()) {}
 
 RunOutcome ExperimentRun::execute() {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "dataset/checksum.hpp"
+#include "experiment/build_info.hpp"
 #include "experiment/config_writer.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/study_expansion.hpp"
@@ -38,6 +39,12 @@ std::string config_hash(const Experiment& experiment, const RunOptions& options)
       write_config(experiment) + fmt::format("filter: {}\nlimit: {}\nstudy: {}\n", options.filter,
                                              options.limit.value_or(0), static_cast<int>(options.study));
   return sha256_hex({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+RunIdentity make_identity(const Experiment& experiment, const RunOptions& options, const Plan& plan) {
+  const bool is_cpu = plan.backend.backend == Backend::cpu;
+  return {config_hash(experiment, options),
+          build_identity() + (is_cpu ? "" : fmt::format("+{}", backend_name(plan.backend.backend)))};
 }
 
 Manifest make_manifest(const Experiment& experiment, const RunOptions& options, const Plan& plan,

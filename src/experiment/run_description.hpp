@@ -11,6 +11,10 @@ namespace facet {
 /// Hash of everything that decides which results there are: the experiment and the selection of frames.
 std::string config_hash(const Experiment& experiment, const RunOptions& options);
 
+/// What tells whether rows of an earlier run are as good as new: configuration, program and back end. Results
+/// are the same on every back end, their times are not.
+RunIdentity make_identity(const Experiment& experiment, const RunOptions& options, const Plan& plan);
+
 /// The manifest of a run that starts now.
 Manifest make_manifest(const Experiment& experiment, const RunOptions& options, const Plan& plan,
                        const RunIdentity& identity);

@@ -52,7 +52,7 @@ class StreamRun {
         observer_(observer),
         stop_signal_(stop_signal),
         plan_(plan_stream(experiment_, options)),
-        identity_{config_hash(experiment_, options), build_identity()},
+        identity_(make_identity(experiment_, options, plan_)),
         directory_(
             RunDirectory::create(options.out, experiment_.name, identity_.config_hash, build_info().name())),
         manifest_(make_manifest(experiment_, options, plan_, identity_)) {

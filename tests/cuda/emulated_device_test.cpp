@@ -5,6 +5,7 @@
 #include "cuda/emulated_runtime.hpp"
 #include "cuda/stream_executor.cuh"
 #include "cuda/three_frames.hpp"
+#include "cuda/tuned/overloads.cuh"
 #include "cuda/variants.hpp"
 #include "pipeline/results.hpp"
 #include "support/expect_error.hpp"
