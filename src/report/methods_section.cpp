@@ -2,10 +2,9 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "report/method_differences.hpp"
 #include "report/run_report.hpp"
 #include "report/timing_summary.hpp"
-#include "score/metrics.hpp"
-#include "score/summary.hpp"
 
 namespace facet {
 namespace {
@@ -45,36 +44,15 @@ const ScoreResult* result_of(const RunRecord& run, const std::string& dataset, c
   return found == run.scores.end() ? nullptr : &*found;
 }
 
-/// The scores of two methods over the frames that both have.
-struct Pairs {
-  ScoreCollection first, second;
-};
-Pairs pairs_of(const RunRecord& run, const std::string& dataset, const std::string& first,
-               const std::string& second) {
-  std::map<std::string, const FrameRow*> of_first;
-  for (const FrameRow& row : run.frames)
-    if (row.dataset == dataset && row.method == first && row.score) of_first[row.frame] = &row;
-  Pairs pairs;
-  for (const FrameRow& row : run.frames) {
-    const auto found = of_first.find(row.frame);
-    if (row.dataset != dataset || row.method != second || !row.score || found == of_first.end()) continue;
-    const std::string sequence = row.is_sequence ? row.dataset : "";
-    pairs.first.frames.push_back({*found->second->score, sequence});
-    pairs.second.frames.push_back({*row.score, sequence});
-  }
-  return pairs;
-}
-
 std::string value_text(const ScoreCell& cell) {
   return cell.value ? fmt::format("{:.1f}", 100 * *cell.value) : "n/a";
 }
 
 /// "; -12.3 [-15.0, -9.8]"
-std::string difference_text(const Pairs& pairs, const char* metric) {
-  const ScoreDifference d = compare_scores(pairs.second, pairs.first, metric);
-  if (!d.value) return "";
-  if (!d.interval) return fmt::format("; {:+.1f}", 100 * *d.value);
-  return fmt::format("; {:+.1f} [{:+.1f}, {:+.1f}]", 100 * *d.value, 100 * d.interval->lo,
+std::string difference_text(const PairedScore& d) {
+  if (!d.change) return "";
+  if (!d.interval) return fmt::format("; {:+.1f}", 100 * *d.change);
+  return fmt::format("; {:+.1f} [{:+.1f}, {:+.1f}]", 100 * *d.change, 100 * d.interval->lo,
                      100 * d.interval->hi);
 }
 
@@ -113,6 +91,28 @@ void add_times(const RunRecord& run, const std::string& dataset, const std::vect
     table.notes.push_back("(program): wall time of the whole program, its start and files included.");
 }
 
+std::vector<std::string> metric_names() {
+  std::vector<std::string> names;
+  for (const ComparedMetric& compared : compared_metrics) names.emplace_back(compared.metric);
+  return names;
+}
+
+/// A row with a metric of every method; none where no method has it.
+void add_score(const RunRecord& run, const std::string& dataset, const ComparedMetric& compared,
+               const MethodDifferences& differences, ReportTable& table) {
+  std::vector<std::string> cells{compared.label};
+  bool any = false;
+  for (const std::string& method : run.manifest.methods) {
+    const ScoreResult* result = result_of(run, dataset, method);
+    const bool known = result != nullptr && result->cell(compared.metric).value;
+    cells.push_back(known ? value_text(result->cell(compared.metric)) : "n/a");
+    const PairedScore* difference = differences.find(method, compared.metric);
+    if (known && difference != nullptr) cells.back() += difference_text(*difference);
+    any = any || known;
+  }
+  if (any) table.rows.push_back(std::move(cells));
+}
+
 ReportTable methods_table(const RunRecord& run, const std::string& dataset,
                           const std::vector<std::string>& methods) {
   ReportTable table;
@@ -120,26 +120,15 @@ ReportTable methods_table(const RunRecord& run, const std::string& dataset,
   table.header = {"score"};
   table.header.insert(table.header.end(), methods.begin(), methods.end());
   table.full_rows_file = "metrics/summary.json";
-  std::map<std::string, Pairs> pairs;
-  for (const std::string& method : methods) pairs[method] = pairs_of(run, dataset, methods.front(), method);
-  for (const auto& [label, metric] : compared_metrics) {
-    std::vector<std::string> cells{label};
-    bool any = false;
-    for (const std::string& method : methods) {
-      const ScoreResult* result = result_of(run, dataset, method);
-      const bool known = result != nullptr && result->cell(metric).value;
-      cells.push_back(known ? value_text(result->cell(metric)) : "n/a");
-      if (known && method != methods.front()) cells.back() += difference_text(pairs[method], metric);
-      any = any || known;
-    }
-    if (any) table.rows.push_back(std::move(cells));
-  }
+  const MethodDifferences differences(run, dataset, metric_names());
+  for (const ComparedMetric& compared : compared_metrics)
+    add_score(run, dataset, compared, differences, table);
   add_times(run, dataset, methods, table);
   table.notes.push_back(fmt::format(
       "Pooled over {} frames; after the semicolon the difference to {} in percentage points, with "
       "the 95 % interval of a bootstrap paired over frames. n/a: the method does not yield what "
       "is scored, or the truth lacks it (see Detection and All scores).",
-      pairs[methods.front()].first.frames.size(), methods.front()));
+      differences.frames(), methods.front()));
   return table;
 }
 

@@ -45,6 +45,14 @@ PairedScore point_estimate(const ScoredFrames& before, const ScoredFrames& after
   return out;
 }
 
+std::vector<const Metric*> metrics_called(const std::vector<std::string>& names) {
+  std::vector<const Metric*> metrics;
+  for (const std::string& name : names) metrics.push_back(&score_metric(name));
+  if (names.empty())
+    for (const Metric& metric : score_metrics()) metrics.push_back(&metric);
+  return metrics;
+}
+
 }  // namespace
 
 double two_sided_p(const std::vector<double>& replicates) {
@@ -57,13 +65,14 @@ double two_sided_p(const std::vector<double>& replicates) {
 }
 
 std::vector<PairedScore> pair_scores(const ScoreCollection& before, const ScoreCollection& after,
-                                     const BootstrapOptions& options) {
+                                     const BootstrapOptions& options,
+                                     const std::vector<std::string>& metrics) {
   if (before.frames.size() != after.frames.size())
     throw Error(ErrorKind::internal, "scores of different frames cannot be compared");
   std::vector<ColumnPair> pairs;
   std::vector<PairedScore> out;
-  for (const Metric& metric : score_metrics()) {
-    pairs.push_back({metric, MetricColumn(before.frames, metric), MetricColumn(after.frames, metric)});
+  for (const Metric* metric : metrics_called(metrics)) {
+    pairs.push_back({*metric, MetricColumn(before.frames, *metric), MetricColumn(after.frames, *metric)});
     out.push_back(point_estimate(before.frames, after.frames, pairs.back()));
   }
   if (before.frames.size() < 2) return out;

@@ -16,10 +16,11 @@ struct PairedScore {
   std::string missing_before, missing_after;  ///< why there is no value; empty where there is one
 };
 
-/// Every metric of score_metrics(), from one resampling. Throws Error{internal} where the collections differ
-/// in their number of frames.
+/// The named metrics, or every one of score_metrics() where none is named, from one resampling. Throws
+/// Error{internal} where the collections differ in their number of frames, or for an unknown name.
 std::vector<PairedScore> pair_scores(const ScoreCollection& before, const ScoreCollection& after,
-                                     const BootstrapOptions& options = {});
+                                     const BootstrapOptions& options = {},
+                                     const std::vector<std::string>& metrics = {});
 
 /// Two-sided p of "the quantity is 0" from its bootstrap replicates: twice the smaller share beyond 0, each
 /// share with one added to count and total (Davison and Hinkley 1997, 4.2), at most 1. Needs no replicates: 1

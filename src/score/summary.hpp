@@ -78,13 +78,4 @@ struct Stratum {
 /// surfaces or edges only where their clutter is known.
 std::vector<Stratum> stratify_scores(const ScoreCollection& collection, const BootstrapOptions& options = {});
 
-/// Difference a - b of the pooled value of a metric over the same frames.
-struct ScoreDifference {
-  std::optional<double> value;
-  std::optional<Interval> interval;  ///< paired bootstrap over frames, nested in sequences
-};
-/// Throws Error{internal} where the collections differ in their number of frames, or for an unknown name.
-ScoreDifference compare_scores(const ScoreCollection& a, const ScoreCollection& b, const std::string& metric,
-                               const BootstrapOptions& options = {});
-
 }  // namespace facet

@@ -146,22 +146,5 @@ TEST(ScoreSummary, StrataHoldEveryFrameOnceByAxis) {
   EXPECT_EQ(frames["contacts"], 2);
 }
 
-TEST(ScoreSummary, ADifferenceOfPairedFramesHasANarrowerIntervalThanEitherScore) {
-  ScoreCollection a, b;
-  for (int i = 0; i < 12; ++i) {
-    FrameScore score = perfect(desk_frame());
-    score.surfaces_50.detected = i % 3;
-    a.frames.push_back({score, ""});
-    score.surfaces_50.detected = i % 3 + 1;
-    b.frames.push_back({score, ""});
-  }
-  const ScoreDifference difference = compare_scores(b, a, "surface_recall_0.5", quick);
-  EXPECT_NEAR(*difference.value, 1.0 / 3, 1e-12);
-  EXPECT_NEAR(difference.interval->lo, 1.0 / 3, 1e-12);
-  EXPECT_NEAR(difference.interval->hi, 1.0 / 3, 1e-12);
-  b.frames.pop_back();
-  expect_error(ErrorKind::internal, "different frames", [&] { compare_scores(a, b, "pq", quick); });
-}
-
 }  // namespace
 }  // namespace facet
