@@ -9,8 +9,20 @@
 
 namespace facet {
 
+namespace {
+
+/// Other methods than the pipeline run on the CPU, whatever was asked for.
+BackendChoice backend_of(const Experiment& experiment, const RunOptions& options) {
+  const BackendChoice choice = choose_backend(options.backend);
+  const bool has_pipeline = std::any_of(experiment.methods.begin(), experiment.methods.end(),
+                                        [](const MethodSpec& spec) { return spec.kind == "pipeline"; });
+  return has_pipeline ? choice : BackendChoice{Backend::cpu, "no method is a pipeline"};
+}
+
+}  // namespace
+
 Plan check_experiment(const Experiment& experiment, const RunOptions& options) {
-  const BackendChoice backend = choose_backend(options.backend);
+  const BackendChoice backend = backend_of(experiment, options);
   // What is wrong with a method is said before anything is computed.
   for (const MethodSpec& spec : experiment.methods) make_method(spec, {});
   Plan plan = make_plan(experiment, options);

@@ -158,6 +158,13 @@ TEST_F(CommandLine, WithoutADeviceAutoRunsOnTheCpuAndTheRecordSaysSo) {
   EXPECT_THAT(file_text(run / "env.json"), HasSubstr("\"backend\": \"cpu: "));
 }
 
+TEST_F(CommandLine, MethodsThatAreNoPipelineRunOnTheCpuAndTheRecordSaysSo) {
+  const auto result = facet.run(
+      {"run", "exp.yaml", "-o", "out", "--set", "methods=[{name: pairs, kind: edge_pairs}]"}, hide_devices);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("back end cpu: no method is a pipeline"));
+}
+
 TEST_F(CommandLine, OutputBelowARegularFileIsAClearError) {
   facet.write("file", "x");
   const auto result = facet.run({"run", "exp.yaml", "-o", "file/out"});
