@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "cpu/cpu_pipeline.hpp"
+#include "method/backend_agreement.hpp"
 
 namespace facet {
 
@@ -9,8 +10,25 @@ std::string_view backend_name(Backend backend) {
   return backend == Backend::cuda ? "cuda" : "cpu";
 }
 
+namespace {
+
+/// A device that gives other results than the CPU is as good as none.
+CudaSupport find_trusted_support() {
+  CudaSupport support = find_cuda_support();
+  if (!support.unusable.empty()) return support;
+  try {
+    if (!agree_on_test_frames(*make_cpu_pipeline({}, 1), *make_cuda_pipelines(1, {}, 1).front()))
+      support.unusable = support.device + " does not give the results of the CPU";
+  } catch (const Error& e) {
+    support.unusable = support.device + ": " + e.what();
+  }
+  return support;
+}
+
+}  // namespace
+
 const CudaSupport& cuda_support() {
-  static const CudaSupport support = find_cuda_support();  // takes a while where there is a device
+  static const CudaSupport support = find_trusted_support();  // takes a while where there is a device
   return support;
 }
 

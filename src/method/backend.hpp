@@ -24,7 +24,7 @@ struct BackendChoice {
 /// where that can run. Throws Error{not_measured} where "cuda" cannot, Error{usage} for another word.
 BackendChoice choose_backend(std::string_view asked);
 
-/// CUDA in this program and on this machine; looked for once.
+/// CUDA on this machine: looked for, and tried on a small frame against the CPU, once.
 const CudaSupport& cuda_support();
 
 /// `count` pipelines that take turns with the frames of one sequence. `threads`: inside one frame, on the
