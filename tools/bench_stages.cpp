@@ -6,9 +6,11 @@
 //   bench_stages --benchmark_filter='/total/640x480'    the whole pipeline at one size
 //
 // Names are mode/stage/size. A stage is timed where it stands in the pipeline, on the input that the stages
-// before it leave; "Time" is its wall time per frame ("CPU" means nothing here). Bytes are those of the
-// images that it reads and writes, each counted once per pass over it. The calibration block beside them is
-// the one that every run of `facet` times: compare machines by the ratio to it.
+// before it leave; "Time" is the median of its wall times over the frames, beside it the least and the 90 %
+// quantile [ms] ("CPU" means nothing here). Bytes are those of the images that it reads and writes, each
+// counted once per pass over it. The calibration block beside them is the one that every run of `facet`
+// times: compare machines by the ratio to it.
+#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 #include <map>
@@ -19,6 +21,7 @@
 #include "experiment/calibration.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/experiment_reader.hpp"
+#include "score/intervals.hpp"
 #include "stage_traffic.hpp"
 #include "synth/synthetic_frame.hpp"
 
@@ -26,7 +29,7 @@ namespace facet {
 namespace {
 
 constexpr Size sizes[]{{320, 240}, {640, 480}, {640, 576}, {1280, 720}};
-constexpr int frames = 30;  ///< timed, after as many as the temporal average needs
+constexpr int frames = 64;  ///< timed, after as many as the temporal average needs
 
 /// A quickstart scene as Kinect v1 would see it with that many pixels.
 struct Scene {
@@ -75,15 +78,19 @@ template <class TimeOf>
 void add(const MethodSpec& mode, std::string_view stage, Size size, int bytes_per_px, const TimeOf& time_of) {
   const auto run = [mode, size, bytes_per_px, time_of](benchmark::State& state) {
     const Recording& recording = record(mode, size);
-    std::size_t frame = 0;
-    for (auto _ : state) state.SetIterationTime(time_of(recording.times[frame++]) / 1000);
+    std::vector<double> times_ms;
+    for (const StageTimes& times : recording.times) times_ms.push_back(time_of(times));
+    std::sort(times_ms.begin(), times_ms.end());
+    for (auto _ : state) state.SetIterationTime(sorted_quantile(times_ms, 0.5) / 1000);
+    state.counters["min_ms"] = times_ms.front();
+    state.counters["p90_ms"] = sorted_quantile(times_ms, 0.9);
     if (bytes_per_px > 0) state.SetBytesProcessed(state.iterations() * bytes_per_px * size.area());
     state.counters["surfaces"] = static_cast<double>(recording.surfaces);
   };
   const std::string name = fmt::format("{}/{}/{}x{}", mode.name, stage, size.width, size.height);
   benchmark::RegisterBenchmark(name.c_str(), run)
       ->UseManualTime()
-      ->Iterations(frames)
+      ->Iterations(1)
       ->Unit(benchmark::kMillisecond);
 }
 

@@ -34,7 +34,7 @@ struct CreaseParams {
   bool weighted = true;  ///< paper mode: damp directions whose gradient is below its own noise
   int radius_px = 3;     ///< normals: half side of the fit window [px], 1..16
   CreaseClosure closure = CreaseClosure::basins;  ///< basins needs mode normals
-  float floor_deg = 5.0f;  ///< basins: change of direction below this is noise of the fits [deg], 0..180
+  float floor_deg = 6.0f;  ///< basins: change of direction below this is noise of the fits [deg], 0..180
   float high_deg = 25.0f;  ///< upper threshold on the change of direction across the pixel [deg], 0..180
   float low_deg = 12.0f;   ///< lower threshold [deg], 0..180
   int depth_guard_px = 3;  ///< no crease within this distance of a depth edge [px], 0..16

@@ -12,8 +12,6 @@ namespace {
 constexpr double min_readings = 5;
 /// Slope of a surface, dz/dx, that is not unusual: 63 degrees to the image plane.
 constexpr double usual_slope = 2;
-/// A region's borders are judged anew when it has grown by this factor, and one about to be joined always.
-constexpr double patch_growth = 1.1;
 /// A sum of six squares of standard normal numbers, one per term of a patch, is larger in one case of 100.
 constexpr double chi_square_6_99 = 16.8;
 
@@ -33,22 +31,20 @@ PatchFit BasinMerging::fitted(const PatchMoments& moments) const {
   return moments.fit({reading_variance(moments), usual_slope * moments.mean_q() / focal_px_, curvature});
 }
 
-/// Whether a border must be judged anew: it is longer, or a side has grown by more than `growth`.
-bool BasinMerging::has_changed(int i, double growth) {
+/// Whether a border is longer or a side larger than when it was judged.
+bool BasinMerging::has_changed(int i) {
   const BasinBorder& border = graph_.border(i);
   const Judgement& judged = judgements_[static_cast<std::size_t>(i)];
-  const double a = graph_.moments(graph_.find(border.a)).count(),
-               b = graph_.moments(graph_.find(border.b)).count();
-  return border.length != judged.length || a + b > growth * judged.pixels ||
-         std::min(a, b) > growth * judged.fewer_pixels;
+  return border.length != judged.length ||
+         graph_.moments(graph_.find(border.a)).count() + graph_.moments(graph_.find(border.b)).count() !=
+             judged.pixels;
 }
 
 void BasinMerging::judge(int i) {
   const BasinBorder& border = graph_.border(i);
   const int a = graph_.find(border.a), b = graph_.find(border.b);
-  const double pixels_a = graph_.moments(a).count(), pixels_b = graph_.moments(b).count();
   Judgement& judged = judgements_[static_cast<std::size_t>(i)];
-  judged = {pixels_a + pixels_b, std::min(pixels_a, pixels_b), border.length, judged.serial + 1};
+  judged = {graph_.moments(a).count() + graph_.moments(b).count(), border.length, judged.serial + 1};
   if (border.strength() > most_strength_) return;
   const auto [excess, expected] =
       seam_difference(fits_[static_cast<std::size_t>(a)], fits_[static_cast<std::size_t>(b)], border.seam(),
@@ -68,28 +64,21 @@ bool BasinMerging::explains_both(const PatchFit& fit, const PatchMoments& both, 
   return added < chi_square_6_99 * reading_variance(both) + fewer_px * step * step;
 }
 
-void BasinMerging::join_across(int i) {
+bool BasinMerging::join_across(int i) {
   const int a = graph_.find(graph_.border(i).a), b = graph_.find(graph_.border(i).b);
   PatchMoments both = graph_.moments(a);
   both += graph_.moments(b);
   const PatchFit fit = fitted(both);
-  if (!explains_both(fit, both, a, b)) return;
+  if (!explains_both(fit, both, a, b)) return false;
+  // Other borders of the larger one are judged anew when their turn comes.
   const std::span<const int> touched = graph_.join(a, b);
-  const int region = graph_.find(a);
-  fits_[static_cast<std::size_t>(region)] = fit;
-  double& judged_px = judged_px_[static_cast<std::size_t>(region)];
-  judged_px = std::max(judged_px_[static_cast<std::size_t>(a)], judged_px_[static_cast<std::size_t>(b)]);
-  if (both.count() < patch_growth * judged_px) {
-    for (const int k : touched) judge(k);
-    return;
-  }
-  judged_px = both.count();
-  graph_.for_each_border_of(region, [this](int k) {
-    if (has_changed(k, patch_growth)) judge(k);
-  });
+  fits_[static_cast<std::size_t>(graph_.find(a))] = fit;
+  for (const int k : touched) judge(k);
+  return true;
 }
 
-void BasinMerging::join_alike(float most_strength) {
+bool BasinMerging::join_alike(float most_strength) {
+  bool joined = false;
   most_strength_ = most_strength;
   candidates_.clear();
   for (std::size_t i = 0; i < judgements_.size(); ++i)
@@ -100,11 +89,12 @@ void BasinMerging::join_alike(float most_strength) {
     candidates_.pop_back();
     const bool is_gone = graph_.border(best.border).length == 0;
     if (is_gone || best.serial != judgements_[static_cast<std::size_t>(best.border)].serial) continue;
-    if (has_changed(best.border, 1))
+    if (has_changed(best.border))
       judge(best.border);
     else
-      join_across(best.border);
+      joined |= join_across(best.border);
   }
+  return joined;
 }
 
 void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& params, const DepthNoise& noise,
@@ -119,12 +109,14 @@ void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& par
   fits_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) fits_[static_cast<std::size_t>(i)] = fitted(graph_.moments(i));
   judgements_.assign(graph_.borders().size(), {});
-  judged_px_.assign(fits_.size(), 0);
   join_alike(chord_of(params.flat_deg));
-  join_alike(unknown_strength);
+  while (join_alike(unknown_strength)) {
+  }
+  first_of_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) first_of_[static_cast<std::size_t>(i)] = graph_.find(i);
   for (int y = 0; y < region.height(); ++y)
     for (int x = 0; x < region.width(); ++x)
-      if (region(x, y) >= 0) region(x, y) = graph_.find(region(x, y));
+      if (region(x, y) >= 0) region(x, y) = first_of_[static_cast<std::size_t>(region(x, y))];
   competition_.run({landscape, fits_, noise, double{params.fit_sigmas}}, params.border_moves_px,
                    region.view());
 }

@@ -27,9 +27,9 @@ class BasinMerging {
  private:
   /// What a border was like when its difference was computed.
   struct Judgement {
-    double pixels = 0, fewer_pixels = 0;  ///< of both regions, and of the smaller one
-    int length = 0;                       ///< of the border
-    int serial = 0;                       ///< the newest judgement of a border counts
+    double pixels = 0;  ///< of both regions
+    int length = 0;     ///< of the border
+    int serial = 0;     ///< the newest judgement of a border counts
   };
   struct Candidate {
     float difference;  ///< to be expected
@@ -40,20 +40,21 @@ class BasinMerging {
   }
   double reading_variance(const PatchMoments& moments) const;
   PatchFit fitted(const PatchMoments& moments) const;
-  bool has_changed(int border, double growth);
+  bool has_changed(int border);
   void judge(int border);
   bool explains_both(const PatchFit& fit, const PatchMoments& both, int a, int b) const;
-  void join_across(int border);
-  void join_alike(float most_strength);
+  bool join_across(int border);
+  /// Whether it joined any; what it refused may be alike when its sides have grown.
+  bool join_alike(float most_strength);
 
   ShallowBasins shallow_;
   BasinGraph graph_;
   BorderCompetition competition_;
-  std::vector<PatchFit> fits_;         ///< by region
-  std::vector<double> judged_px_;      ///< pixels of a region when all its borders were last looked at
-  std::vector<Judgement> judgements_;  ///< by border
-  std::vector<Candidate> candidates_;  ///< a heap, least difference first
-  float most_strength_ = 0;            ///< borders stronger than this are not judged yet
+  std::vector<PatchFit> fits_;          ///< by region
+  std::vector<Judgement> judgements_;   ///< by border
+  std::vector<Candidate> candidates_;   ///< a heap, least difference first
+  std::vector<std::int32_t> first_of_;  ///< basin that names the region, by basin
+  float most_strength_ = 0;             ///< borders stronger than this are not judged yet
   MergeParams params_;
   SeamTolerance tolerance_;
   DepthNoise noise_;

@@ -114,7 +114,8 @@ void ObjectGrouping::group(const ObjectInput& input, const ObjectParams& params,
   describe(input, params, surfaces);
   join_convex(params);
   if (params.hollow) join_hollow();
-  for (Surface& surface : surfaces) surface.object = face(surface.id).is_background ? 0 : objects_.find(surface.id);
+  for (Surface& surface : surfaces)
+    surface.object = face(surface.id).is_background ? 0 : objects_.find(surface.id);
 }
 
 }  // namespace facet

@@ -77,21 +77,33 @@ PatchFit PatchMoments::fit(const PatchPrior& prior) const {
   Eigen::Map<Vector6>(patch.terms_.data()) = terms;
   patch.terms_[0] += mean_q();
   patch.reading_variance_ = variance;
-  Eigen::Map<Matrix6>(patch.factor_.data()) = factor.matrixLLT();
+  Eigen::Map<Matrix6> stored(patch.factor_.data());
+  stored = factor.matrixLLT();
+  stored.diagonal() = stored.diagonal().cwiseInverse();
   return patch;
 }
 
 PatchFit::Variance PatchFit::variance_at(double x_px, double y_px) const {
   constexpr double unit = PatchMoments::px_unit;
   const double x = unit * x_px - x0_, y = unit * y_px - y0_;
-  const Eigen::Map<const Matrix6> factor(factor_.data());
-  // The covariance of the terms is the variance of a reading times the inverse of factor factor^T.
-  const auto variance_of = [&](const Vector6& direction) {
-    return reading_variance_ * factor.triangularView<Eigen::Lower>().solve(direction).squaredNorm();
-  };
-  return {variance_of(Vector6{{1, x, y, x * x, x * y, y * y}}),
-          variance_of(Vector6{{0, unit, 0, 2 * unit * x, unit * y, 0}}) +
-              variance_of(Vector6{{0, 0, unit, 0, unit * x, 2 * unit * y}})};
+  // The covariance of the terms is the variance of a reading times the inverse of factor factor^T: solved
+  // forward for the directions of the value and of the two slopes at once.
+  double v[6][3] = {{1, 0, 0},
+                    {x, unit, 0},
+                    {y, 0, unit},
+                    {x * x, 2 * unit * x, 0},
+                    {x * y, unit * y, unit * x},
+                    {y * y, 0, 2 * unit * y}};
+  double sum[3] = {};
+  for (std::size_t r = 0; r < 6; ++r) {
+    for (std::size_t c = 0; c < r; ++c)
+      for (std::size_t k = 0; k < 3; ++k) v[r][k] -= factor_[6 * c + r] * v[c][k];
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[r][k] *= factor_[7 * r];
+      sum[k] += v[r][k] * v[r][k];
+    }
+  }
+  return {reading_variance_ * sum[0], reading_variance_ * (sum[1] + sum[2])};
 }
 
 }  // namespace facet

@@ -1,7 +1,7 @@
 #include "surface/shallow_basins.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <bit>
 #include <utility>
 
 #include "core/run.hpp"
@@ -41,14 +41,17 @@ void ShallowBasins::collect_passes(const BasinLandscape& l, ImageView<const std:
     const Pass pass{strength, std::min(a, b), std::max(a, b)};
     if (strength < unknown_strength && is_shallow(pass, basin(a), basin(b))) passes_.push_back(pass);
   });
-  std::sort(passes_.begin(), passes_.end(), [](const Pass& l_, const Pass& r) {
-    return std::tie(l_.height, l_.a, l_.b) < std::tie(r.height, r.a, r.b);
-  });
+  // The bits of floats that are not negative sort as the floats do.
+  order_.resize(passes_.size());
+  for (std::size_t i = 0; i < passes_.size(); ++i)
+    order_[i] = std::uint64_t{std::bit_cast<std::uint32_t>(passes_[i].height)} << 32 | i;
+  std::sort(order_.begin(), order_.end());
 }
 
 void ShallowBasins::join_passes() {
   sets_.reset(static_cast<int>(basins_.size()));
-  for (const Pass& pass : passes_) {
+  for (const std::uint64_t key : order_) {
+    const Pass& pass = passes_[key & 0xffffffff];
     const int a = sets_.find(pass.a), b = sets_.find(pass.b);
     if (a == b || !is_shallow(pass, basin(a), basin(b))) continue;
     sets_.join(a, b);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/disjoint_sets.hpp"
@@ -37,6 +38,7 @@ class ShallowBasins {
   float floor_ = 0;
   std::vector<Basin> basins_;
   std::vector<Pass> passes_;
+  std::vector<std::uint64_t> order_;  ///< of the passes: height, then index
   std::vector<std::int32_t> number_;  ///< of a basin by raster index of its name; then of a region by basin
   DisjointSets sets_;
 };
