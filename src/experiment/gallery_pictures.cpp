@@ -115,7 +115,8 @@ Report make_gallery(const GalleryRequest& request) {
                        : worst_frames(run.frames, request.metric, count);
   if (entries.empty())
     throw Error(ErrorKind::not_measured,
-                fmt::format("no frame of {} has a value of {}", printable(request.run), request.metric));
+                fmt::format("no frame of {} has a value of {}; --film shows sequences without truth",
+                            printable(request.run), request.metric));
   const fs::path config = request.run / "config.resolved.yaml";
   const Experiment source = load_experiment(config, {}).experiment;
   const Study study = study_of(source);
