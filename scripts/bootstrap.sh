@@ -9,7 +9,7 @@ packages=(
   libopencv-dev libopencv-contrib-dev libeigen3-dev libtbb-dev
   libcli11-dev libyaml-cpp-dev nlohmann-json3-dev libfmt-dev libspdlog-dev libssl-dev libtinyxml2-dev zlib1g-dev
   libavformat-dev libavcodec-dev
-  libgtest-dev libbenchmark-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
 )
 developer_packages=(clang-format clang-tidy gcovr)
 
