@@ -9,17 +9,6 @@
 namespace facet {
 namespace {
 
-/// Counts the pieces of work of each stage instead of its milliseconds.
-class CountingExecutor : public CudaExecutor {
- public:
-  template <class Work>
-  void timed(double& pieces, const Work& work) {
-    const auto before = work_given();
-    work();
-    pieces += static_cast<double>(work_given() - before);
-  }
-};
-
 void require_device() {
   if (const std::string unusable = find_cuda_support().unusable; !unusable.empty())
     throw Error(ErrorKind::not_measured, unusable);
@@ -59,12 +48,15 @@ std::array<int, stage_count> count_cuda_work(const PipelineParams& params, const
   validate(params);
   require_device();
   check_frame(frame);
-  CountingExecutor executor;
-  PipelineBody<CountingExecutor> body(executor, params, 1);
+  CudaExecutor executor;
+  PipelineBody<CudaExecutor> body(executor, params, 1);
   FrameResult result;
-  body.process(frame, result);
   std::array<int, stage_count> pieces{};
-  for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i] = static_cast<int>(result.times.stage_ms[i]);
+  for (const StageName& stage : stage_names) {
+    const std::uint64_t before = executor.work_given();
+    body.run({stage.id, stage.id}, frame, result);
+    pieces[static_cast<std::size_t>(index_of(stage.id))] = static_cast<int>(executor.work_given() - before);
+  }
   return pieces;
 }
 

@@ -35,6 +35,11 @@ struct SetOp {
   }
 };
 
+/// Images of the tuned stages.
+struct DeviceScratch {
+  DeviceImage<std::uint16_t> counts;
+};
+
 /// Runs pixel operations on a CUDA device in a stream of its own: calls return before the device has done the
 /// work, save where the host needs what it yields. Otherwise as CpuExecutor. `Kernels` launches them: on the
 /// device, or, in the tests, where the device is emulated. Throws Error{not_measured} where the device cannot
@@ -139,6 +144,9 @@ class StreamExecutor {
     timer_.time(elapsed_ms, work);
   }
 
+  /// Memory for the tuned stages.
+  DeviceScratch& scratch() { return scratch_; }
+
   /// Kernels and copies that may have changed the device's memory so far.
   std::uint64_t work_given() const { return work_; }
 
@@ -184,6 +192,7 @@ class StreamExecutor {
   DeviceMemory words_;
   PinnedMemory host_words_, upload_staging_, download_staging_;
   Event uploaded_;
+  DeviceScratch scratch_;
   PassesAhead passes_;
   std::array<Event, PassesAhead::slots> answered_;
 };

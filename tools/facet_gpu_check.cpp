@@ -106,7 +106,7 @@ class GpuCheck {
     if (on_device()) {
       Image<float> depth_m;
       decode(frames.front(), depth_m);
-      size.work = count_cuda_work({}, {depth_m.view(), frames.front().camera});
+      size.work = count_cuda_work({}, input_of(frames.front(), depth_m));
     }
     report_.sizes.push_back(std::move(size));
     // The batch is measured on the size with the most frames.

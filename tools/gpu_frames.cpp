@@ -23,7 +23,7 @@ RawFrame read_raw_frame(const std::filesystem::path& folder, const Json& entry) 
   frame.name = entry.at("name").get<std::string>();
   const Size size{entry.at("width").get<int>(), entry.at("height").get<int>()};
   const auto camera = entry.at("camera_px").get<std::vector<float>>();
-  frame.unit_m = entry.at("unit_m").get<float>();
+  frame.unit_m = entry.at("unit_m").get<double>();
   if (size.empty() || size.area() > (1 << 26) || camera.size() != 4 || !(frame.unit_m > 0))
     throw Error(ErrorKind::data,
                 fmt::format("frames.json: {}: a size, fx fy cx cy and a unit are needed", frame.name));
@@ -44,8 +44,11 @@ RawFrame read_raw_frame(const std::filesystem::path& folder, const Json& entry) 
 void decode(const RawFrame& frame, Image<float>& depth_m) {
   depth_m.resize(frame.depth.size());
   for (int y = 0; y < depth_m.height(); ++y)
-    for (int x = 0; x < depth_m.width(); ++x)
-      depth_m(x, y) = static_cast<float>(frame.depth(x, y)) * frame.unit_m;
+    for (int x = 0; x < depth_m.width(); ++x) depth_m(x, y) = metres_of(frame.depth(x, y), frame.unit_m);
+}
+
+FrameInput input_of(const RawFrame& frame, const Image<float>& depth_m) {
+  return {depth_m.view(), frame.camera, {}, {}, DepthCounts{frame.depth.view(), frame.unit_m}};
 }
 
 std::vector<RawFrame> render_raw_frames(Size size, int count) {
@@ -54,7 +57,7 @@ std::vector<RawFrame> render_raw_frames(Size size, int count) {
   const std::vector<View> views = quickstart_views(1);
   for (int i = 0; i < count; ++i) {
     RawFrame frame{
-        fmt::format("{}x{}_{:02}", size.width, size.height, i), Image<std::uint16_t>(size), 0.001f, {}};
+        fmt::format("{}x{}_{:02}", size.width, size.height, i), Image<std::uint16_t>(size), 0.001, {}};
     frame.camera = {525 * scale, 525 * scale, static_cast<float>(size.width - 1) / 2,
                     static_cast<float>(size.height - 1) / 2};
     const View& view = views[static_cast<std::size_t>(i / frames_of_a_scene) % views.size()];
@@ -64,7 +67,7 @@ std::vector<RawFrame> render_raw_frames(Size size, int count) {
     for (int y = 0; y < size.height; ++y)
       for (int x = 0; x < size.width; ++x)
         frame.depth(x, y) =
-            static_cast<std::uint16_t>(std::min(65535.0f, depth_m(x, y) / frame.unit_m + 0.5f));
+            static_cast<std::uint16_t>(std::min(65535.0, double{depth_m(x, y)} / frame.unit_m + 0.5));
     frames.push_back(std::move(frame));
   }
   return frames;

@@ -6,6 +6,7 @@
 
 #include "core/camera.hpp"
 #include "core/image.hpp"
+#include "pipeline/frame_input.hpp"
 
 namespace facet {
 
@@ -13,12 +14,15 @@ namespace facet {
 struct RawFrame {
   std::string name;
   Image<std::uint16_t> depth;
-  float unit_m = 0.001f;
+  double unit_m = 0.001;
   Camera camera;
 };
 
 /// Metres of a raw frame; `depth_m` keeps its memory.
 void decode(const RawFrame& frame, Image<float>& depth_m);
+
+/// The raw frame and its metres as a pipeline takes them.
+FrameInput input_of(const RawFrame& frame, const Image<float>& depth_m);
 
 /// Rendered table-tops as Kinect v1 would see them with that many pixels, in millimetres.
 std::vector<RawFrame> render_raw_frames(Size size, int count);

@@ -60,7 +60,7 @@ std::string result_of(Pipeline& pipeline, const RawFrame& frame) {
   decode(frame, depth_m);
   FrameResult result;
   pipeline.reset_history();
-  pipeline.process({depth_m.view(), frame.camera}, result);
+  pipeline.process(input_of(frame, depth_m), result);
   Bytes bytes;
   bytes.add(result.labels), bytes.add(result.edges);
   for (const Surface& surface : result.surfaces) add_surface(bytes, surface);
@@ -94,7 +94,7 @@ Latency measure_latency(Pipeline& pipeline, std::span<const RawFrame> frames, in
   FrameResult result;
   for (int run = 0; run < warmup + repeats; ++run) {
     const std::size_t i = static_cast<std::size_t>(run) % frames.size();
-    pipeline.process({depths[i].view(), frames[i].camera}, result);
+    pipeline.process(input_of(frames[i], depths[i]), result);
     if (run == 0) first_ms = result.times.total_ms;
     if (run < warmup) continue;
     totals.push_back(result.times.total_ms);
@@ -112,7 +112,7 @@ Throughput measure_throughput(const MakePipeline& make, std::span<const RawFrame
   std::vector<FrameResult> results(static_cast<std::size_t>(in_flight));
   for (FrameResult& result : results) {
     pipelines.push_back(make());
-    pipelines.back()->process({depths[0].view(), frames[0].camera}, result);  // allocates
+    pipelines.back()->process(input_of(frames[0], depths[0]), result);  // allocates
   }
   std::atomic<int> next{0};
   std::vector<std::vector<double>> times(results.size());
@@ -123,7 +123,7 @@ Throughput measure_throughput(const MakePipeline& make, std::span<const RawFrame
       for (int k = next++; k < count; k = next++) {
         const std::size_t i = static_cast<std::size_t>(k) % frames.size();
         const auto begun = Clock::now();
-        pipelines[t]->process({depths[i].view(), frames[i].camera}, results[t]);
+        pipelines[t]->process(input_of(frames[i], depths[i]), results[t]);
         times[t].push_back(ms_since(begun));
       }
     }));

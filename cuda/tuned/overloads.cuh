@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/upload_depth.hpp"
 #include "cuda/stream_executor.cuh"
 #include "cuda/tuned/labelling.hpp"
+#include "cuda/tuned/upload_depth.hpp"
 
 namespace facet {
 
@@ -11,6 +13,17 @@ template <class Kernels>
 void label_components(StreamExecutor<Kernels>& executor, ImageView<const float> depth_m,
                       ImageView<const std::uint8_t> edge, ImageView<std::int32_t> root) {
   label_runs(executor, depth_m, edge, root);
+}
+
+/// Half the bytes travel where the frame came in whole units.
+template <class Kernels>
+void upload_depth(StreamExecutor<Kernels>& executor, ImageView<const float> depth_m,
+                  const std::optional<DepthCounts>& counts, ImageView<float> image) {
+  if (!counts) return executor.upload(depth_m, image);
+  DeviceImage<std::uint16_t>& counts_there = executor.scratch().counts;
+  counts_there.resize(image.size());
+  executor.upload(counts->counts, counts_there.view());
+  executor.for_each_pixel(image.size(), MetresOfCountsOp{{counts_there.view(), counts->unit_m}, image});
 }
 
 }  // namespace facet

@@ -105,11 +105,13 @@ class AzureMkvDataset : public ListedDataset {
     const std::int64_t time_us = track_->info().times_us.at(std::stoul(frame.id));
     frame.timestamp_s = static_cast<double>(time_us) * 1e-6;
     frame.depth_m = Image<float>(track_->info().size);
+    frame.counted = {Image<std::uint16_t>(track_->info().size), 0.001};
     const std::vector<std::uint8_t> bytes = track_->read(time_us);
     for (int y = 0; y < frame.depth_m.height(); ++y)
       for (int x = 0; x < frame.depth_m.width(); ++x) {
         const std::uint16_t depth_mm = seen_at(x, y, bytes);
-        frame.depth_m(x, y) = static_cast<float>(depth_mm * 0.001);
+        frame.counted.counts(x, y) = depth_mm;
+        frame.depth_m(x, y) = metres_of(depth_mm, frame.counted.unit_m);
         frame.missing_px += depth_mm == 0;
       }
     check_camera(frame.camera, frame.depth_m.size(), path_);

@@ -11,6 +11,7 @@
 #include "core/image.hpp"
 #include "core/rigid_motion.hpp"
 #include "core/sensor.hpp"
+#include "dataset/counted_depth.hpp"
 #include "truth/frame_annotation.hpp"
 
 namespace facet {
@@ -19,6 +20,7 @@ namespace facet {
 struct Frame {
   std::string id;        ///< unique within its data set; also the stem of its output files
   Image<float> depth_m;  ///< metres along the optical axis, 0 = missing
+  CountedDepth counted;  ///< the same in whole units; empty where the files hold no integers
   cv::Mat color;         ///< 8-bit BGR; empty where there is none or where it does not fit the depth image
   Camera camera;
   std::optional<double> timestamp_s;          ///< of a sequence, where it is known

@@ -27,7 +27,7 @@ void check_type(const ImageFile& image, const std::filesystem::path& path) {
 template <class Raw>
 DepthImage to_metres(const cv::Mat& raw, double unit_m, std::span<const double> codes,
                      const std::filesystem::path& path) {
-  DepthImage result{Image<float>(Size{raw.cols, raw.rows}), 0};
+  DepthImage result{Image<float>(Size{raw.cols, raw.rows}), {}, 0};
   for (int y = 0; y < raw.rows; ++y) {
     for (int x = 0; x < raw.cols; ++x) {
       const double value = raw.at<Raw>(y, x);
@@ -44,15 +44,25 @@ DepthImage to_metres(const cv::Mat& raw, double unit_m, std::span<const double> 
   return result;
 }
 
+CountedDepth counted(const cv::Mat& raw, double unit_m, const Image<float>& depth_m) {
+  CountedDepth result{Image<std::uint16_t>(depth_m.size()), unit_m};
+  for (int y = 0; y < depth_m.height(); ++y)
+    for (int x = 0; x < depth_m.width(); ++x)
+      result.counts(x, y) = depth_m(x, y) > 0 ? raw.at<std::uint16_t>(y, x) : std::uint16_t{0};
+  return result;
+}
+
 }  // namespace
 
 DepthImage read_depth_image(const std::filesystem::path& path, double depth_unit_m,
                             std::span<const double> missing_codes) {
   const ImageFile image = read_image_file(path);
   check_type(image, path);
-  return image.pixels.type() == CV_16UC1
-             ? to_metres<std::uint16_t>(image.pixels, depth_unit_m, missing_codes, path)
-             : to_metres<float>(image.pixels, depth_unit_m, missing_codes, path);
+  if (image.pixels.type() == CV_32FC1)
+    return to_metres<float>(image.pixels, depth_unit_m, missing_codes, path);
+  DepthImage depth = to_metres<std::uint16_t>(image.pixels, depth_unit_m, missing_codes, path);
+  depth.counted = counted(image.pixels, depth_unit_m, depth.depth_m);
+  return depth;
 }
 
 }  // namespace facet

@@ -5,12 +5,14 @@
 #include <span>
 
 #include "core/image.hpp"
+#include "dataset/counted_depth.hpp"
 
 namespace facet {
 
 /// A depth image in metres.
 struct DepthImage {
   Image<float> depth_m;  ///< 0 = missing
+  CountedDepth counted;  ///< of a 16-bit image, else empty
   std::size_t missing_px = 0;
 };
 

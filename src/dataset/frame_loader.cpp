@@ -29,6 +29,7 @@ class ProblemList {
 void load_depth(Frame& frame, const std::filesystem::path& path, const DepthFormat& format) {
   DepthImage depth = read_depth_image(path, format.unit_m, format.missing_codes);
   frame.depth_m = std::move(depth.depth_m);
+  frame.counted = std::move(depth.counted);
   frame.missing_px = depth.missing_px;
 }
 

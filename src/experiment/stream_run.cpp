@@ -107,7 +107,7 @@ class StreamRun {
                         planned.frames.size());
     }
     for (const Frame& frame : recording.frames)
-      recording.inputs.push_back({frame.depth_m.view(), frame.camera});
+      recording.inputs.push_back({frame.depth_m.view(), frame.camera, {}, {}, frame.counted.view()});
     return recording;
   }
 
@@ -117,7 +117,7 @@ class StreamRun {
     const int threads = experiment_.timing.threads;
     StageFilters filters(options, [&](int count) {
       return make_pipelines(plan_.backend.backend, count, with_sensor(method.params, planned.data->sensor()),
-                                static_cast<std::uint64_t>(experiment_.seed), threads);
+                            static_cast<std::uint64_t>(experiment_.seed), threads);
     });
     filters.warm_up(recording.inputs.front());
     std::size_t done = 0;

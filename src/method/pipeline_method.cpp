@@ -10,8 +10,9 @@ class PipelineMethod final : public Method {
   explicit PipelineMethod(std::unique_ptr<Pipeline> pipeline) : pipeline_(std::move(pipeline)) {}
 
   void process(const Frame& frame, Prediction& prediction, StageTimes& times) override {
-    pipeline_->process({frame.depth_m.view(), frame.camera, frame.timestamp_s, frame.T_world_camera},
-                       result_);
+    pipeline_->process(
+        {frame.depth_m.view(), frame.camera, frame.timestamp_s, frame.T_world_camera, frame.counted.view()},
+        result_);
     times = result_.times;
     prediction.window = result_.window;
     // Swapped, not copied: both sides keep their memory for the next frame.

@@ -15,6 +15,8 @@ void check_frame(const FrameInput& frame) {
   if (!(std::isfinite(c.cx) && std::isfinite(c.cy)))
     throw Error(ErrorKind::data, "camera: the principal point must be finite, got cx = " +
                                      std::to_string(c.cx) + ", cy = " + std::to_string(c.cy));
+  if (frame.counts && frame.counts->counts.size() != frame.depth_m.size())
+    throw Error(ErrorKind::data, "depth: the image in whole units has another size than that in metres");
   for (int y = 0; y < frame.depth_m.height; ++y) {
     const float* row = frame.depth_m.row(y);
     bool good = true;

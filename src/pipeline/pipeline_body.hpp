@@ -93,7 +93,8 @@ class PipelineBody {
 
   void average_frames(const FrameInput& frame, FrameResult& result) {  // section 3.4.2, eq. 3
     result.window = {};
-    if (!params_.temporal.enabled) return executor_.upload(frame.depth_m, b_.averaged.view());
+    if (!params_.temporal.enabled)
+      return upload_depth(executor_, frame.depth_m, frame.counts, b_.averaged.view());
     history_->take(executor_, params_.temporal, noise_, frame);
     temporal_average(executor_, params_.temporal, noise_, history_->frames(), b_.averaged.view());
     result.window = history_->use();

@@ -13,7 +13,7 @@ class TemporalWindow {
             const FrameInput& frame) {
     gate_.admit(frame, params, noise);
     if (gate_.use().start != WindowStart::continued) history_.clear();
-    history_.push(executor, frame.depth_m, params.frames);
+    history_.push(executor, frame.depth_m, params.frames, frame.counts);
   }
   void clear() {
     history_.clear();

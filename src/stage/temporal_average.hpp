@@ -4,6 +4,7 @@
 
 #include "core/depth_noise.hpp"
 #include "core/image_view.hpp"
+#include "core/upload_depth.hpp"
 
 namespace facet {
 
@@ -70,9 +71,10 @@ struct TemporalAverageOp {
 template <class Executor>
 class TemporalHistory {
  public:
-  /// Adds a frame from host memory; with `window` frames kept it replaces the oldest. A frame of another size
-  /// starts over.
-  void push(Executor& executor, ImageView<const float> depth_m, int window) {
+  /// Adds a frame from host memory (see upload_depth()); with `window` frames kept it replaces the oldest. A
+  /// frame of another size starts over.
+  void push(Executor& executor, ImageView<const float> depth_m, int window,
+            const std::optional<DepthCounts>& counts = std::nullopt) {
     if (count_ > 0 && frames_[0].size() != depth_m.size()) clear();
     int slot = oldest_;
     if (count_ < window) {
@@ -82,7 +84,7 @@ class TemporalHistory {
     } else {
       oldest_ = (oldest_ + 1) % window;
     }
-    executor.upload(depth_m, frames_[slot].view());
+    upload_depth(executor, depth_m, counts, frames_[slot].view());
   }
   void clear() { count_ = oldest_ = 0; }
   int count() const { return count_; }

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "cpu/cpu_pipeline.hpp"
+#include "cuda/counted_frame.hpp"
 #include "cuda/device_test.hpp"
 #include "cuda/three_frames.hpp"
 #include "cuda/variants.hpp"
@@ -76,6 +77,19 @@ TEST_F(CudaPipelines, ThatTakeTurnsAndRunInPartsGiveWhatTheCpuGives) {
                                   {StageId::pose, StageId::objects}})
       std::thread([&] { turns[i % 2]->run(part, frame, results[i % 2]); }).join();
     expect_equal_results(expected, results[i % 2], "frame " + std::to_string(i));
+  }
+}
+
+TEST_F(CudaPipelines, MakeTheMetresOfEveryCountThatTheCpuMakes) {
+  PipelineParams p;
+  p.temporal.enabled = p.wiener.enabled = false;
+  for (const double unit_m : {0.001, 0.0002, 0.000125, 1.0 / 3}) {
+    const CountedFrame frame({256, 256}, unit_m, [](int x, int y) { return 256 * y + x; });
+    const Camera camera = scaled_camera(frame.depth_m.size());
+    FrameResult expected, result;
+    make_cpu_pipeline(p, 7)->process({frame.depth_m.view(), camera}, expected);
+    make_cuda_pipeline(p)->process({frame.depth_m.view(), camera, {}, {}, frame.counts()}, result);
+    expect_equal_results(expected, result, std::to_string(unit_m));
   }
 }
 

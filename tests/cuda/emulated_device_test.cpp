@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "cpu/cpu_pipeline.hpp"
+#include "cuda/counted_frame.hpp"
 #include "cuda/device_arena.hpp"
 #include "cuda/emulated_runtime.hpp"
 #include "cuda/stream_executor.cuh"
@@ -9,6 +10,7 @@
 #include "cuda/variants.hpp"
 #include "pipeline/results.hpp"
 #include "support/expect_error.hpp"
+#include "support/same_image.hpp"
 
 namespace facet {
 namespace {
@@ -69,6 +71,20 @@ TEST_F(EmulatedDevice, WhatIsUploadedMayChangeAtOnceAndComesBackWhole) {
   EXPECT_EQ(back(32, 8), 1.0f);
   executor.download(second.view(), back.view());
   EXPECT_EQ(back(32, 8), 2.0f);
+}
+
+TEST_F(EmulatedDevice, AFrameInWholeUnitsTravelsInHalfTheBytes) {
+  EmulatedExecutor executor;
+  DeviceImage<float> image;
+  image.resize({129, 509});
+  const CountedFrame frame(image.size(), 0.0002, [](int x, int y) { return y * 129 + x; });
+  upload_depth(executor, frame.depth_m.view(), frame.counts(), image.view());
+  EXPECT_EQ(emulated_runtime().uploaded, 2u * 129 * 509);
+  Image<float> back(image.size());
+  executor.download(image.view(), back.view());
+  EXPECT_TRUE(same_image(back, frame.depth_m));
+  upload_depth(executor, frame.depth_m.view(), std::nullopt, image.view());
+  EXPECT_EQ(emulated_runtime().uploaded, 6u * 129 * 509);
 }
 
 /// Counts down: `value` to 0, one per pass.
@@ -175,6 +191,21 @@ TEST_P(EmulatedPipeline, GivesTheResultOfTheCpuHoweverLateTheDeviceWorks) {
 
 INSTANTIATE_TEST_SUITE_P(EveryOperation, EmulatedPipeline, testing::ValuesIn(every_operation()),
                          [](const auto& mode) { return std::string(mode.param.name); });
+
+TEST_F(EmulatedDevice, FramesInWholeUnitsAndOthersMakeOneSequence) {
+  const auto cpu = make_cpu_pipeline({}, 7);
+  EmulatedExecutor executor;
+  PipelineBody<EmulatedExecutor> body(executor, {}, 7);
+  const Camera camera = scaled_camera(size);
+  FrameResult expected, result;
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    const Image<float> scene = small_measured_scene(4, size, camera, i);
+    const CountedFrame frame(size, 0.001, [&](int x, int y) { return scene(x, y) * 1000; });
+    cpu->process({frame.depth_m.view(), camera}, expected);
+    body.process({frame.depth_m.view(), camera, {}, {}, i == 2 ? std::nullopt : frame.counts()}, result);
+    expect_equal_results(expected, result, "frame " + std::to_string(i));
+  }
+}
 
 TEST_F(EmulatedDevice, BodiesThatTakeTurnsInPartsShareTheirPast) {
   const Camera camera = scaled_camera(size);

@@ -22,6 +22,7 @@ struct EmulatedRuntime {
   int made = 0;                               ///< the same, all that there ever were
   int waits = 0;                              ///< of the host, where something was left to do
   int launches = 0;
+  std::size_t uploaded = 0;  ///< bytes
 };
 EmulatedRuntime& emulated_runtime();
 

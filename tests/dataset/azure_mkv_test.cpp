@@ -40,7 +40,8 @@ class AzureMkv : public ::testing::Test {
     int wrong = 0;
     for (int y = 0; y < binned.height; ++y)
       for (int x = 0; x < binned.width; ++x)
-        wrong += frame.depth_m(x, y) != static_cast<float>(expected(x, y) * 0.001);
+        wrong += frame.depth_m(x, y) != static_cast<float>(expected(x, y) * 0.001) ||
+                 frame.depth_m(x, y) != metres_of(frame.counted.counts(x, y), frame.counted.unit_m);
     EXPECT_EQ(wrong, 0) << frame.id;
   }
 

@@ -33,6 +33,28 @@ TEST(DepthImage, millimetres_become_metres_and_codes_become_missing) {
   EXPECT_EQ(depth.depth_m(4, 0), 0);
 }
 
+TEST(DepthImage, sixteen_bit_integers_are_kept_and_give_the_metres_to_the_bit) {
+  const ImageFolder folder;
+  cv::Mat raw(256, 256, CV_16UC1);
+  for (int i = 0; i < 65536; ++i) raw.at<std::uint16_t>(i / 256, i % 256) = static_cast<std::uint16_t>(i);
+  folder.write("d.png", raw);
+  const std::vector<double> codes{65535, 1};
+  for (const double unit_m : {0.001, 0.0002, 0.000125, 1.0 / 3}) {
+    const DepthImage depth = read_depth_image(folder.path() / "d.png", unit_m, codes);
+    const auto counted = depth.counted.view();
+    ASSERT_TRUE(counted);
+    for (int y = 0; y < 256; ++y)
+      for (int x = 0; x < 256; ++x)
+        ASSERT_EQ(metres_of(counted->counts(x, y), counted->unit_m), depth.depth_m(x, y)) << x << ' ' << y;
+  }
+}
+
+TEST(DepthImage, floats_have_no_counts) {
+  const ImageFolder folder;
+  folder.write("d.tiff", floats({1.0f, 2.0f}));
+  EXPECT_FALSE(read_depth_image(folder.path() / "d.tiff", 1.0, {}).counted.view());
+}
+
 TEST(DepthImage, without_its_code_65535_is_a_depth) {
   const ImageFolder folder;
   folder.write_depth("d.png", 65535, 1, 1);

@@ -37,6 +37,16 @@ TEST(AwkwardInput, AFrameWithoutAnyDepthHasNoSurfaceAndSaysSo) {
     }
 }
 
+TEST(AwkwardInput, CountsOfAnotherSizeAreRefused) {
+  const Image<float> depth(Size{31, 7}, 1.0f);
+  const Image<std::uint16_t> counts(Size{31, 6}, 1000);
+  FrameResult result;
+  expect_error(ErrorKind::data, "whole units has another size", [&] {
+    make_cpu_pipeline({}, 1)->process({depth.view(), camera, {}, {}, DepthCounts{counts.view(), 0.001}},
+                                      result);
+  });
+}
+
 TEST(AwkwardInput, AFrameTooSmallForASurfaceSaysWhy) {
   for (const Mode& mode : validating_modes)
     for (const Size size : {Size{1, 1}, Size{3, 3}, Size{7, 1}, Size{1, 9}}) {
