@@ -5,6 +5,7 @@
 
 #include "core/image_view.hpp"
 #include "cuda/memory.cuh"
+#include "cuda/work_queue.cuh"
 
 namespace facet {
 
@@ -16,7 +17,7 @@ class DeviceImage {
   using value_type = T;
 
   /// Sets the size; the contents are zero afterwards unless the size was the same already. Waits for the
-  /// device.
+  /// device, which must have been given all work on this image: not so in the middle of a frame.
   void resize(Size size) {
     if (size == size_) return;
     size_ = size.empty() ? Size{} : size;
@@ -35,13 +36,11 @@ class DeviceImage {
 
   /// Where the host finds a copy that is as old as work number `work` on the device. Copies where work was
   /// done since the last one.
-  ImageView<const T> host_copy(std::uint64_t work, cudaStream_t stream) const {
+  ImageView<const T> host_copy(std::uint64_t work, WorkQueue& queue) const {
     if (host_taken_at_ != work && !size_.empty()) {
       host_.reserve(bytes());
-      check_cuda(cudaMemcpyAsync(host_.template as<T>(), memory_.template as<T>(), bytes(),
-                                 cudaMemcpyDeviceToHost, stream),
-                 "copy an image to the host");
-      check_cuda(cudaStreamSynchronize(stream), "copy an image to the host");
+      queue.copy(host_.template as<T>(), memory_.template as<T>(), bytes(), cudaMemcpyDeviceToHost);
+      queue.finish();
       host_taken_at_ = work;
     }
     return view_of(host_.template as<T>());

@@ -35,28 +35,20 @@ __global__ void publish_flag_kernel(Flag* flag, volatile Flag* host_slot) {
   *flag = 0;
 }
 
-/// Launches them; a thread per pixel, in a stream.
+/// Their addresses, by which the runtime launches them.
 struct CudaKernels {
-  /// op(x, y, access) for every pixel.
+  /// op(x, y, access) for every pixel: called with op and the size.
   template <class Op>
-  static void for_each_pixel(const Op& op, Size size, cudaStream_t stream) {
-    pixel_kernel<<<blocks(size), threads(), 0, stream>>>(op, size);
+  static const void* for_each_pixel() {
+    return reinterpret_cast<const void*>(&pixel_kernel<Op>);
   }
-  /// Adds the integers op(x, y) of all pixels to *sum.
+  /// Adds the integers op(x, y) of all pixels to *sum: called with op, the size and `sum`.
   template <class Op>
-  static void add_up(const Op& op, Size size, unsigned long long* sum, cudaStream_t stream) {
-    sum_kernel<<<blocks(size), threads(), 0, stream>>>(op, size, sum);
+  static const void* add_up() {
+    return reinterpret_cast<const void*>(&sum_kernel<Op>);
   }
-  /// *host_slot = *flag, *flag = 0.
-  static void publish_flag(int* flag, volatile int* host_slot, cudaStream_t stream) {
-    publish_flag_kernel<<<1, 1, 0, stream>>>(flag, host_slot);
-  }
-
- private:
-  static dim3 threads() { return {Launch::block_width, Launch::block_height}; }
-  static dim3 blocks(Size size) {
-    return {static_cast<unsigned>(Launch::blocks_x(size)), static_cast<unsigned>(Launch::blocks_y(size))};
-  }
+  /// *host_slot = *flag, *flag = 0: called with the two addresses, by one thread.
+  static const void* publish_flag() { return reinterpret_cast<const void*>(&publish_flag_kernel<int>); }
 };
 
 }  // namespace facet

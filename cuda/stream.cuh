@@ -35,7 +35,7 @@ class Event {
     if (event_ != nullptr) static_cast<void>(cudaEventDestroy(event_));
   }
 
-  void record(cudaStream_t stream) { check_cuda(cudaEventRecord(event_, stream), "record an event"); }
+  cudaEvent_t handle() const { return event_; }
   /// Returns at once where it was never recorded.
   void wait() const { check_cuda(cudaEventSynchronize(event_), "finish a frame's work"); }
   /// From an earlier mark to this one; both must be timed and have been passed.

@@ -3,65 +3,43 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
-#include "core/image_view.hpp"
+#include "core/launch.hpp"
 #include "cuda/device_image.cuh"
 #include "cuda/event_timer.cuh"
+#include "cuda/image_ops.hpp"
 #include "cuda/passes_ahead.hpp"
-#include "cuda/stream.cuh"
+#include "cuda/work_queue.cuh"
 
 namespace facet {
-
-/// Operation of the pixels that are set in a mask.
-template <class Op>
-struct WhereSetOp {
-  Op op;
-  ImageView<const std::uint8_t> mask;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access access) const {
-    if (mask(x, y)) op(x, y, access);
-  }
-};
-
-template <class T>
-struct SetOp {
-  ImageView<T> image;
-  T value;
-
-  template <class Access>
-  FACET_HD void operator()(int x, int y, Access) const {
-    image(x, y) = value;
-  }
-};
 
 /// Images of the tuned stages.
 struct DeviceScratch {
   DeviceImage<std::uint16_t> counts;
 };
 
-/// Runs pixel operations on a CUDA device in a stream of its own: calls return before the device has done the
-/// work, save where the host needs what it yields. Otherwise as CpuExecutor. `Kernels` launches them: on the
-/// device, or, in the tests, where the device is emulated. Throws Error{not_measured} where the device cannot
-/// (no memory), Error{internal} where a kernel failed.
+/// Runs pixel operations on a CUDA device: calls return before the device has done the work, or begun it (see
+/// WorkQueue), save where the host needs what it yields. Otherwise as CpuExecutor. `Kernels` are those of the
+/// device or, in the tests, where the device is emulated, what stands for them. Throws Error{not_measured}
+/// where the device cannot (no memory), Error{internal} where a kernel failed.
 template <class Kernels>
 class StreamExecutor {
  public:
   template <class T>
   using Image = DeviceImage<T>;
 
-  StreamExecutor() : timer_(stream_) {
+  StreamExecutor() : timer_(queue_) {
     words_.reserve(sizeof(DeviceWords));
     host_words_.reserve(sizeof(HostWords));
-    check_cuda(cudaMemsetAsync(words_.as<void>(), 0, sizeof(DeviceWords), stream_), "clear a flag");
+    fill(word(&words_.as<DeviceWords>()->changed), 0);
+    queue_.give();
   }
 
   /// op(x, y, access) for every pixel.
   template <class Op>
   void for_each_pixel(Size size, const Op& op) {
-    if (size.empty()) return;
-    Kernels::for_each_pixel(op, size, stream_);
-    launched();
+    if (!size.empty()) call(Kernels::template for_each_pixel<Op>(), blocks(size), threads(), op, size);
   }
   /// op(x, y, access) for every pixel that is non-zero in `mask`. The operation may clear its own pixel of
   /// the mask, nothing else of it.
@@ -75,43 +53,45 @@ class StreamExecutor {
     if (size.empty()) return 0;
     auto* sum = &words_.as<DeviceWords>()->sum;
     auto* host_sum = &host_words_.as<HostWords>()->sum;
-    check_cuda(cudaMemsetAsync(sum, 0, sizeof *sum, stream_), "clear a sum");
-    Kernels::add_up(op, size, sum, stream_);
-    launched();
-    check_cuda(cudaMemcpyAsync(host_sum, sum, sizeof *sum, cudaMemcpyDeviceToHost, stream_), "read a sum");
-    stream_.wait();
+    fill(word(sum), 0ull);
+    call(Kernels::template add_up<Op>(), blocks(size), threads(), op, size, sum);
+    queue_.copy(host_sum, sum, sizeof *sum, cudaMemcpyDeviceToHost);
+    queue_.finish();
     return static_cast<std::int64_t>(*host_sum);
   }
 
   template <class T>
   void copy(ImageView<const T> from, ImageView<T> to) {
-    copy_rows(from, to, cudaMemcpyDeviceToDevice);
+    for_each_pixel(from.size(), CopyOp<T>{from, to});
   }
   template <class T>
   void fill(ImageView<T> image, T value) {
     for_each_pixel(image.size(), SetOp<T>{image, value});
   }
-  /// Host memory to the device's; `host` may change as soon as the call returns.
+  /// Host memory to the device's, all of an image; `host` may change as soon as the call returns.
   template <class T>
   void upload(ImageView<const T> host, ImageView<T> image) {
-    uploaded_.wait();  // the last one has left the staging memory
-    const ImageView<T> staging = packed<T>(upload_staging_, host);
+    if (host.size().empty()) return;
+    if (uploaded_at_ == queue_.times_finished()) queue_.finish();  // the last one leaves the staging memory
+    const ImageView<T> staging = staged(upload_staging_, image);
     copy_on_host(host, staging);
-    copy_rows(ImageView<const T>(staging), image, cudaMemcpyHostToDevice);
-    uploaded_.record(stream_);
+    queue_.copy(image.data, staging.data, bytes_of(image), cudaMemcpyHostToDevice);
+    uploaded_at_ = queue_.times_finished();
+    ++work_;
   }
-  /// The device's memory to the host's. Waits for the device.
+  /// The device's memory, all of an image, to the host's. Waits for the device.
   template <class T>
   void download(ImageView<T> image, ImageView<T> host) {
-    const ImageView<T> staging = packed<T>(download_staging_, host);
-    copy_rows(ImageView<const T>(image), staging, cudaMemcpyDeviceToHost);
-    stream_.wait();
+    if (host.size().empty()) return;
+    const ImageView<T> staging = staged(download_staging_, image);
+    queue_.copy(staging.data, image.data, bytes_of(image), cudaMemcpyDeviceToHost);
+    queue_.finish();
     copy_on_host(ImageView<const T>(staging), host);
   }
   /// Where the host may read an image until the next call that works on the device. Waits for the device.
   template <class T>
   ImageView<const T> on_host(const Image<T>& image) {
-    return image.host_copy(work_, stream_);
+    return image.host_copy(work_, queue_);
   }
 
   /// Flag that operations of an iterated pass raise when they changed something.
@@ -127,14 +107,13 @@ class StreamExecutor {
       return false;
     }
     const auto slot = static_cast<std::size_t>(passes_.end());
-    auto& answers = host_words_.as<HostWords>()->changed;
-    Kernels::publish_flag(&words_.as<DeviceWords>()->changed, &answers[slot], stream_);
-    launched();
-    answered_[slot].record(stream_);
+    int* answers = host_words_.as<HostWords>()->changed;
+    call(Kernels::publish_flag(), 1, 1, &words_.as<DeviceWords>()->changed, answers + slot);
+    queue_.give(answered_[slot]);
     const auto due = passes_.due();
     if (!due) return true;
     answered_[static_cast<std::size_t>(*due)].wait();
-    return const_cast<const volatile int&>(answers[static_cast<std::size_t>(*due)]) != 0;
+    return const_cast<const volatile int&>(answers[*due]) != 0;
   }
 
   /// Runs `work` and adds its time [ms] to `elapsed_ms`, which must last until the outermost call ends; when
@@ -161,24 +140,28 @@ class StreamExecutor {
     int changed[PassesAhead::slots];
   };
 
-  void launched() {
-    check_cuda(cudaGetLastError(), "launch a kernel");
+  static dim3 threads() { return {Launch::block_width, Launch::block_height}; }
+  static dim3 blocks(Size size) {
+    return {static_cast<unsigned>(Launch::blocks_x(size)), static_cast<unsigned>(Launch::blocks_y(size))};
+  }
+  template <class... Arguments>
+  void call(const void* kernel, dim3 blocks, dim3 threads, const Arguments&... arguments) {
+    queue_.call(kernel, blocks, threads, arguments...);
     ++work_;
   }
   template <class T>
-  void copy_rows(ImageView<const T> from, ImageView<T> to, cudaMemcpyKind kind) {
-    if (from.size().empty()) return;
-    const auto bytes = [](int pixels) { return sizeof(T) * static_cast<std::size_t>(pixels); };
-    check_cuda(cudaMemcpy2DAsync(to.data, bytes(to.stride), from.data, bytes(from.stride), bytes(from.width),
-                                 static_cast<std::size_t>(from.height), kind, stream_),
-               "copy an image");
-    if (kind != cudaMemcpyDeviceToHost) ++work_;
+  static ImageView<T> word(T* word) {
+    return {word, 1, 1, 1};
   }
-  /// Pinned memory laid out for an image.
-  template <class T, class Pixel>
-  static ImageView<T> packed(PinnedMemory& memory, ImageView<Pixel> like) {
-    memory.reserve(sizeof(T) * static_cast<std::size_t>(like.size().area()));
-    return {memory.template as<T>(), like.width, like.height, like.width};
+  template <class T>
+  static std::size_t bytes_of(ImageView<T> image) {
+    return sizeof(T) * static_cast<std::size_t>(image.stride) * static_cast<std::size_t>(image.height);
+  }
+  /// Pinned memory laid out as an image, so that it is copied in one piece.
+  template <class T>
+  static ImageView<T> staged(PinnedMemory& memory, ImageView<T> like) {
+    memory.reserve(bytes_of(like));
+    return {memory.template as<T>(), like.width, like.height, like.stride};
   }
   template <class T>
   static void copy_on_host(ImageView<const T> from, ImageView<T> to) {
@@ -186,15 +169,15 @@ class StreamExecutor {
       std::memcpy(to.row(y), from.row(y), sizeof(T) * static_cast<std::size_t>(from.width));
   }
 
-  Stream stream_;
-  EventTimer timer_;
   std::uint64_t work_ = 0;  ///< tells how old a copy for the host is
   DeviceMemory words_;
   PinnedMemory host_words_, upload_staging_, download_staging_;
-  Event uploaded_;
-  DeviceScratch scratch_;
+  std::optional<std::uint64_t> uploaded_at_;
   PassesAhead passes_;
   std::array<Event, PassesAhead::slots> answered_;
+  DeviceScratch scratch_;
+  WorkQueue queue_;
+  EventTimer timer_;
 };
 
 }  // namespace facet

@@ -10,10 +10,15 @@
 struct CUstream_st {
   std::deque<std::function<void()>> work;
 };
+struct CUgraph_st {
+  std::deque<std::function<void(cudaStream_t)>> work;  ///< in order: each asks the stream for a piece
+};
+struct CUgraphExec_st : CUgraph_st {};
 struct CUevent_st {
   CUstream_st* stream = nullptr;
   int ahead = 0;  ///< times it was recorded and not yet passed
   bool timed = false;
+  double passed_ms = 0;
 };
 
 namespace facet {
@@ -25,7 +30,6 @@ std::set<CUstream_st*>& streams() {
 }
 
 void do_one(CUstream_st& stream) {
-  const DeviceArena::Access access;
   const std::function<void()> work = std::move(stream.work.front());
   stream.work.pop_front();
   work();
@@ -33,7 +37,9 @@ void do_one(CUstream_st& stream) {
 
 template <class Condition>
 void do_while(CUstream_st& stream, const Condition& condition) {
-  if (!stream.work.empty() && condition()) ++emulated_runtime().waits;
+  if (stream.work.empty() || !condition()) return;
+  ++emulated_runtime().waits;
+  const DeviceArena::Access access;
   while (!stream.work.empty() && condition()) do_one(stream);
 }
 
@@ -48,18 +54,57 @@ T* made(T* thing) {
   return thing;
 }
 
+void enqueue(cudaStream_t stream, std::function<void()> work) {
+  static std::mt19937 chance(5);
+  stream->work.push_back(std::move(work));
+  std::size_t count = 0;
+  if (emulated_runtime().eagerness == Eagerness::random) count = chance() % 4;
+  if (emulated_runtime().eagerness == Eagerness::at_once) count = stream->work.size();
+  if (count == 0) return;
+  const DeviceArena::Access access;
+  for (; count > 0 && !stream->work.empty(); --count) do_one(*stream);
+}
+
+std::function<void()> bound(const void* kernel, dim3 blocks, dim3 threads, void** arguments) {
+  return [work = static_cast<const EmulatedKernel*>(kernel)->bound(blocks, threads, arguments)] {
+    work();
+    emulated_runtime().now_ms += 1;
+  };
+}
+
+std::function<void()> copying(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind) {
+  return [=] {
+    if (kind == cudaMemcpyHostToDevice) emulated_runtime().uploaded += bytes;
+    std::memcpy(to, from, bytes);
+  };
+}
+
+void record(cudaEvent_t event, cudaStream_t stream) {
+  event->stream = stream;
+  ++event->ahead;
+  enqueue(stream, [event] {
+    --event->ahead;
+    event->passed_ms = emulated_runtime().now_ms;
+  });
+}
+
+/// Graphs that are no chain are not emulated.
+cudaError_t append(cudaGraphNode_t* node, cudaGraph_t graph, const cudaGraphNode_t* after, std::size_t count,
+                   std::function<void(cudaStream_t)> piece) {
+  const auto number = [](cudaGraphNode_t of) { return reinterpret_cast<std::uintptr_t>(of); };
+  const bool continues =
+      graph->work.empty() ? count == 0 : count == 1 && number(*after) == graph->work.size();
+  if (!continues) return cudaErrorInvalidValue;
+  graph->work.push_back(std::move(piece));
+  *node = reinterpret_cast<cudaGraphNode_t>(graph->work.size());
+  return cudaSuccess;
+}
+
 }  // namespace
 
 EmulatedRuntime& emulated_runtime() {
   static EmulatedRuntime runtime;
   return runtime;
-}
-
-void enqueue(cudaStream_t stream, std::function<void()> work) {
-  static std::mt19937 chance(5);
-  stream->work.push_back(std::move(work));
-  if (emulated_runtime().eagerness == Eagerness::late) return;
-  for (auto count = chance() % 4; count > 0 && !stream->work.empty(); --count) do_one(*stream);
 }
 
 }  // namespace facet
@@ -94,23 +139,16 @@ cudaError_t cudaMemset(void* data, int value, size_t bytes) {  // does not wait 
   std::memset(data, value, bytes);
   return cudaSuccess;
 }
-cudaError_t cudaMemsetAsync(void* data, int value, size_t bytes, cudaStream_t stream) {
-  facet::enqueue(stream, [=] { std::memset(data, value, bytes); });
+cudaError_t cudaMemcpyAsync(void* to, const void* from, size_t bytes, cudaMemcpyKind kind,
+                            cudaStream_t stream) {
+  facet::enqueue(stream, facet::copying(to, from, bytes, kind));
   return cudaSuccess;
 }
-cudaError_t cudaMemcpyAsync(void* to, const void* from, size_t bytes, cudaMemcpyKind, cudaStream_t stream) {
-  facet::enqueue(stream, [=] { std::memcpy(to, from, bytes); });
-  return cudaSuccess;
-}
-cudaError_t cudaMemcpy2DAsync(void* to, size_t to_pitch, const void* from, size_t from_pitch, size_t width,
-                              size_t height, cudaMemcpyKind kind, cudaStream_t stream) {
-  if (width > to_pitch || width > from_pitch) return cudaErrorInvalidPitchValue;
-  if (kind == cudaMemcpyHostToDevice) emulated_runtime().uploaded += width * height;
-  facet::enqueue(stream, [=] {
-    for (size_t y = 0; y < height; ++y)
-      std::memcpy(static_cast<char*>(to) + y * to_pitch, static_cast<const char*>(from) + y * from_pitch,
-                  width);
-  });
+cudaError_t cudaLaunchKernel(const void* kernel, dim3 blocks, dim3 threads, void** arguments, size_t,
+                             cudaStream_t stream) {
+  ++emulated_runtime().launches;
+  ++emulated_runtime().single_launches;
+  facet::enqueue(stream, facet::bound(kernel, blocks, threads, arguments));
   return cudaSuccess;
 }
 cudaError_t cudaDeviceSynchronize() {
@@ -143,9 +181,7 @@ cudaError_t cudaEventDestroy(cudaEvent_t event) {
   return cudaSuccess;
 }
 cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream) {
-  event->stream = stream;
-  ++event->ahead;
-  facet::enqueue(stream, [event] { --event->ahead; });
+  facet::record(event, stream);
   return cudaSuccess;
 }
 cudaError_t cudaEventSynchronize(cudaEvent_t event) {
@@ -156,7 +192,52 @@ cudaError_t cudaEventElapsedTime(float* ms, cudaEvent_t start, cudaEvent_t stop)
   if (start->stream == nullptr || stop->stream == nullptr || !start->timed || !stop->timed)
     return cudaErrorInvalidResourceHandle;
   if (start->ahead > 0 || stop->ahead > 0) return cudaErrorNotReady;
-  *ms = 1;
+  *ms = static_cast<float>(stop->passed_ms - start->passed_ms);
+  return cudaSuccess;
+}
+
+cudaError_t cudaGraphCreate(cudaGraph_t* graph, unsigned) {
+  *graph = facet::made(new CUgraph_st);
+  return cudaSuccess;
+}
+cudaError_t cudaGraphDestroy(cudaGraph_t graph) {
+  delete graph;
+  --emulated_runtime().living;
+  return cudaSuccess;
+}
+cudaError_t cudaGraphAddKernelNode(cudaGraphNode_t* node, cudaGraph_t graph, const cudaGraphNode_t* after,
+                                   size_t count, const cudaKernelNodeParams* call) {
+  const auto work = facet::bound(call->func, call->gridDim, call->blockDim, call->kernelParams);
+  return facet::append(node, graph, after, count, [work](cudaStream_t stream) {
+    ++emulated_runtime().launches;
+    facet::enqueue(stream, work);
+  });
+}
+cudaError_t cudaGraphAddMemcpyNode1D(cudaGraphNode_t* node, cudaGraph_t graph, const cudaGraphNode_t* after,
+                                     size_t count, void* to, const void* from, size_t bytes,
+                                     cudaMemcpyKind kind) {
+  const auto work = facet::copying(to, from, bytes, kind);
+  return facet::append(node, graph, after, count,
+                       [work](cudaStream_t stream) { facet::enqueue(stream, work); });
+}
+cudaError_t cudaGraphAddEventRecordNode(cudaGraphNode_t* node, cudaGraph_t graph,
+                                        const cudaGraphNode_t* after, size_t count, cudaEvent_t event) {
+  return facet::append(node, graph, after, count,
+                       [event](cudaStream_t stream) { facet::record(event, stream); });
+}
+cudaError_t cudaGraphInstantiate(cudaGraphExec_t* ready, cudaGraph_t graph, unsigned long long) {
+  if (!emulated_runtime().takes_graphs) return cudaErrorNotSupported;
+  *ready = facet::made(new CUgraphExec_st{*graph});
+  return cudaSuccess;
+}
+cudaError_t cudaGraphLaunch(cudaGraphExec_t ready, cudaStream_t stream) {
+  ++emulated_runtime().graphs;
+  for (const auto& piece : ready->work) piece(stream);
+  return cudaSuccess;
+}
+cudaError_t cudaGraphExecDestroy(cudaGraphExec_t ready) {
+  delete ready;
+  --emulated_runtime().living;
   return cudaSuccess;
 }
 

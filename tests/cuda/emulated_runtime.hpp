@@ -2,6 +2,7 @@
 
 #include <cuda_runtime_api.h>
 #include <functional>
+#include <stdexcept>
 
 #include "support/shuffled_grid.hpp"
 
@@ -11,6 +12,7 @@ namespace facet {
 enum class Eagerness {
   late,    ///< when the host waits for it, and no more of it than that: shows what nobody waited for
   random,  ///< now and then
+  at_once,
 };
 
 /// How the emulated runtime behaves, and what it was asked for. It stands in for the library of CUDA: the
@@ -18,44 +20,72 @@ enum class Eagerness {
 struct EmulatedRuntime {
   Eagerness eagerness = Eagerness::late;
   std::size_t memory_left = ~std::size_t{0};  ///< what cudaMalloc may still give [bytes]
-  int living = 0;                             ///< allocations, streams and events that were not given back
-  int made = 0;                               ///< the same, all that there ever were
-  int waits = 0;                              ///< of the host, where something was left to do
-  int launches = 0;
+  int living = 0;           ///< allocations, streams, events and graphs that were not given back
+  int made = 0;             ///< the same, all that there ever were
+  int waits = 0;            ///< of the host, where something was left to do
+  int launches = 0;         ///< of kernels, those of graphs among them
+  int single_launches = 0;  ///< of kernels, one by one
+  int graphs = 0;           ///< that were launched
+  bool takes_graphs = true;
   std::size_t uploaded = 0;  ///< bytes
+  double now_ms = 0;         ///< goes on by 1 with every kernel that was done
 };
 EmulatedRuntime& emulated_runtime();
 
-/// Puts work into a stream.
-void enqueue(cudaStream_t stream, std::function<void()> work);
+/// What stands at the address of a kernel: makes, of the arguments that it is called with, what it does.
+struct EmulatedKernel {
+  std::function<void()> (*bound)(dim3 blocks, dim3 threads, void** arguments);
+};
 
 /// In place of CudaKernels: threads in shuffled order.
-struct EmulatedKernels {
+class EmulatedKernels {
+ public:
   template <class Op>
-  static void for_each_pixel(const Op& op, Size size, cudaStream_t stream) {
-    launch(stream, [=](ShuffledGridExecutor& grid) { grid.for_each_pixel(size, op); });
+  static const void* for_each_pixel() {
+    static constexpr EmulatedKernel kernel{[](dim3 blocks, dim3 threads, void** arguments) {
+      return covering(blocks, threads, value<Size>(arguments[1]),
+                      [op = value<Op>(arguments[0]), size = value<Size>(arguments[1])] {
+                        grid().for_each_pixel(size, op);
+                      });
+    }};
+    return &kernel;
   }
   template <class Op>
-  static void add_up(const Op& op, Size size, unsigned long long* sum, cudaStream_t stream) {
-    launch(stream, [=](ShuffledGridExecutor& grid) {
-      *sum += static_cast<unsigned long long>(grid.sum_pixels(size, op));
-    });
+  static const void* add_up() {
+    static constexpr EmulatedKernel kernel{[](dim3 blocks, dim3 threads, void** arguments) {
+      return covering(blocks, threads, value<Size>(arguments[1]),
+                      [op = value<Op>(arguments[0]), size = value<Size>(arguments[1]),
+                       sum = value<unsigned long long*>(arguments[2])] {
+                        *sum += static_cast<unsigned long long>(grid().sum_pixels(size, op));
+                      });
+    }};
+    return &kernel;
   }
-  static void publish_flag(int* flag, volatile int* host_slot, cudaStream_t stream) {
-    launch(stream, [=](ShuffledGridExecutor&) {
-      *host_slot = *flag;
-      *flag = 0;
-    });
+  static const void* publish_flag() {
+    static constexpr EmulatedKernel kernel{[](dim3, dim3, void** arguments) -> std::function<void()> {
+      return [flag = value<int*>(arguments[0]), host_slot = value<int*>(arguments[1])] {
+        *host_slot = *flag;
+        *flag = 0;
+      };
+    }};
+    return &kernel;
   }
 
  private:
-  template <class Work>
-  static void launch(cudaStream_t stream, const Work& work) {
-    ++emulated_runtime().launches;
-    enqueue(stream, [work] {
-      static ShuffledGridExecutor grid(3);
-      work(grid);
-    });
+  template <class T>
+  static T value(const void* argument) {
+    return *static_cast<const T*>(argument);
+  }
+  static ShuffledGridExecutor& grid() {
+    static ShuffledGridExecutor executor(3);
+    return executor;
+  }
+  /// A launch must have a thread for every pixel.
+  static std::function<void()> covering(dim3 blocks, dim3 threads, Size size, std::function<void()> work) {
+    if (blocks.x * threads.x < static_cast<unsigned>(size.width) ||
+        blocks.y * threads.y < static_cast<unsigned>(size.height))
+      throw std::logic_error("a launch does not cover the image");
+    return work;
   }
 };
 
