@@ -27,12 +27,18 @@ std::string environment_of(const RunRecord& run, const std::string& key) {
 
 /// Why times of the two cannot be set in relation; empty where they can.
 std::string obstacle(const RunRecord& before, const RunRecord& after, bool calibrated) {
+  if (before.manifest.backend != after.manifest.backend)
+    return fmt::format("back ends {} and {}", before.manifest.backend, after.manifest.backend);
   if (before.manifest.timing_threads != after.manifest.timing_threads)
     return fmt::format("{} and {} threads inside a frame", before.manifest.timing_threads,
                        after.manifest.timing_threads);
   for (const char* key : {"build.build_type", "build.compiler"})
     if (environment_of(before, key) != environment_of(after, key))
       return fmt::format("{}: {} and {}", key, environment_of(before, key), environment_of(after, key));
+  // The calibration block runs on the CPU.
+  const std::string device = environment_of(before, "gpu.device");
+  if (before.manifest.backend != "cpu" && device != environment_of(after, "gpu.device"))
+    return fmt::format("gpu.device: {} and {}", device, environment_of(after, "gpu.device"));
   if (calibrated) return {};
   const std::string cpu = environment_of(before, "cpu.model");
   return cpu == environment_of(after, "cpu.model") ? "" : "another CPU model and no calibration block";

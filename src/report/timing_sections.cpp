@@ -65,6 +65,10 @@ ReportTable table3(const RunRecord& run, const std::string& dataset, const Summa
       fmt::format("{} thread{}, back end {}, {} frame{}, {} runs each after {} for warm-up.",
                   m.timing_threads, m.timing_threads == 1 ? "" : "s", m.backend, methods.front()->frames,
                   methods.front()->frames == 1 ? "" : "s", m.timing_repeats, m.timing_warmup));
+  if (m.backend != "cpu")
+    table.notes.push_back(
+        "Stages are timed on the device, by events between which the host may work too; the total, copies "
+        "included, by the clock.");
   table.notes.push_back(
       "Total = decoded depth in memory to contours, poses, grasps and labels in memory. The paper's stages "
       "sum "

@@ -100,6 +100,22 @@ TEST(Comparison, DoesNotCompareTimesOfAnotherMachineWithoutCalibration) {
   EXPECT_EQ(value_of(compare(before, after), "total").verdict, Verdict::not_comparable);
 }
 
+TEST(Comparison, DoesNotCompareTimesOfAnotherBackEndOrAnotherDevice) {
+  RunRecord before = run_with(twenty(8)), after = before;
+  add_times(before, 1, 1, 7);
+  add_times(after, 1, 1, 8);
+  before.manifest.backend = "cpu";
+  after.manifest.backend = "cuda";
+  const ComparedValue across = value_of(compare(before, after), "total");
+  EXPECT_EQ(across.verdict, Verdict::not_comparable);
+  EXPECT_EQ(across.reason, "back ends cpu and cuda");
+  before.manifest.backend = "cuda";
+  before.environment = after.environment = {{"gpu.device", "one"}};
+  EXPECT_EQ(value_of(compare(before, after), "total").verdict, Verdict::ok);
+  after.environment = {{"gpu.device", "another"}};
+  EXPECT_EQ(value_of(compare(before, after), "total").reason, "gpu.device: one and another");
+}
+
 TEST(Comparison, DoubtsTheTimesOfABusyMachine) {
   RunRecord before = run_with(twenty(8)), after = before;
   add_times(before, 1, 1, 7);
