@@ -34,17 +34,17 @@ class DeviceImage {
   ImageView<T> view() { return view_of(memory_.template as<T>()); }
   ImageView<const T> view() const { return view_of(memory_.template as<T>()); }
 
-  /// Where the host finds a copy that is as old as work number `work` on the device. Copies where work was
-  /// done since the last one.
-  ImageView<const T> host_copy(std::uint64_t work, WorkQueue& queue) const {
-    if (host_taken_at_ != work && !size_.empty()) {
-      host_.reserve(bytes());
-      queue.copy(host_.template as<T>(), memory_.template as<T>(), bytes(), cudaMemcpyDeviceToHost);
-      queue.finish();
-      host_taken_at_ = work;
-    }
-    return view_of(host_.template as<T>());
+  /// Asks for a copy that is as old as work number `work` on the device, where work was done since the last
+  /// one; whether it had to.
+  bool ask_for_copy(std::uint64_t work, WorkQueue& queue) const {
+    if (host_taken_at_ == work || size_.empty()) return false;
+    host_.reserve(bytes());
+    queue.copy(host_.template as<T>(), memory_.template as<T>(), bytes(), cudaMemcpyDeviceToHost);
+    host_taken_at_ = work;
+    return true;
   }
+  /// Where the host finds that copy, once the queue has finished.
+  ImageView<const T> host_view() const { return view_of(host_.template as<T>()); }
 
  private:
   static constexpr int row_quantum = 128 / static_cast<int>(sizeof(T));

@@ -10,6 +10,7 @@
 #include "cuda/event_timer.cuh"
 #include "cuda/image_ops.hpp"
 #include "cuda/passes_ahead.hpp"
+#include "cuda/tuned/region_table.hpp"
 #include "cuda/work_queue.cuh"
 
 namespace facet {
@@ -17,6 +18,7 @@ namespace facet {
 /// Images of the tuned stages.
 struct DeviceScratch {
   DeviceImage<std::uint16_t> counts;
+  RegionTable<DeviceImage> regions;
 };
 
 /// Runs pixel operations on a CUDA device: calls return before the device has done the work, or begun it (see
@@ -91,7 +93,13 @@ class StreamExecutor {
   /// Where the host may read an image until the next call that works on the device. Waits for the device.
   template <class T>
   ImageView<const T> on_host(const Image<T>& image) {
-    return image.host_copy(work_, queue_);
+    fetch(image);
+    return image.host_view();
+  }
+  /// Copies several images to the host at once, where on_host() finds them. Waits for the device.
+  template <class... T>
+  void fetch(const Image<T>&... images) {
+    if ((static_cast<int>(images.ask_for_copy(work_, queue_)) + ...) > 0) queue_.finish();
   }
 
   /// Flag that operations of an iterated pass raise when they changed something.

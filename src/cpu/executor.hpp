@@ -66,7 +66,8 @@ class CpuExecutor {
     for (int y = 0; y < from.height; ++y)
       std::memcpy(to.row(y), from.row(y), sizeof(T) * static_cast<std::size_t>(from.width));
   }
-  /// Host memory to the executor's and back; on_host: where the host may read an image.
+  /// Host memory to the executor's and back; on_host: where the host may read an image, which is there sooner
+  /// when it was fetched together with others.
   template <class T>
   void upload(ImageView<const T> host, ImageView<T> image) {
     copy(host, image);
@@ -79,6 +80,8 @@ class CpuExecutor {
   ImageView<const T> on_host(const Image<T>& image) {
     return image.view();
   }
+  template <class... T>
+  void fetch(const Image<T>&...) {}
   template <class T>
   void fill(ImageView<T> image, T value) {
     for (int y = 0; y < image.height; ++y) std::fill_n(image.row(y), image.width, value);

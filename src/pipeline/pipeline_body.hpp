@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/buffers.hpp"
+#include "pipeline/number_regions.hpp"
 #include "pipeline/params.hpp"
 #include "pipeline/result.hpp"
 #include "pipeline/stage_range.hpp"
@@ -20,7 +21,6 @@
 #include "stage/thinning.hpp"
 #include "surface/basin_merging.hpp"
 #include "surface/object_grouping.hpp"
-#include "surface/regions.hpp"
 #include "surface/support.hpp"
 #include "surface/surface_list.hpp"
 
@@ -186,6 +186,7 @@ class PipelineBody {
     mark_off_floor(executor_, height, b_.mask_a.view());
     label_components(executor_, b_.depth.view(), b_.mask_a.view(), b_.root.view());
     crease_basins(executor_, height, b_.root.view());
+    executor_.fetch(b_.root, b_.inverse_depth, b_.strength, b_.distance);
     const BasinLandscape landscape{executor_.on_host(b_.root),
                                    executor_.on_host(b_.inverse_depth),
                                    1 / double{InverseDepthOp::units_per_inverse_metre},
@@ -216,10 +217,7 @@ class PipelineBody {
 
   void label_regions(FrameResult& result) {  // section 3.3: closed whatever the edges do
     label_components(executor_, b_.depth.view(), b_.edge.view(), b_.root.view());
-    const int count = numbering_.number(executor_.on_host(b_.root), executor_.on_host(b_.depth),
-                                        executor_.on_host(b_.filled), camera_, params_.validation,
-                                        numbered_.view(), result.rejected);
-    executor_.upload(std::as_const(numbered_).view(), b_.label.view());
+    const int count = number_regions(executor_, b_, params_, camera_, numbering_, numbered_, result.rejected);
     give_back_pixels(executor_, params_.dd.jump_ratio, params_.dd.noise_sigmas, noise_, b_.depth.view(),
                      b_.label.view(), b_.mask_a.view(), b_.owner.view());
     executor_.download(b_.label.view(), result.labels.view());
@@ -228,6 +226,7 @@ class PipelineBody {
   }
 
   void collect_pixels(FrameResult& result, int count) {
+    executor_.fetch(b_.depth, b_.filled);
     pixels_.collect(result.labels.view(), count, executor_.on_host(b_.depth), executor_.on_host(b_.filled),
                     camera_, params_.pose.max_points);
     result.surfaces.resize(static_cast<std::size_t>(count));

@@ -25,6 +25,15 @@ int count_set(const std::uint8_t* begin, const std::uint8_t* end) {
   return static_cast<int>(std::count_if(begin, end, [](std::uint8_t value) { return value != 0; }));
 }
 
+std::string_view reason_to_drop(const RegionStatistics& c, const Camera& camera,
+                                const ValidationParams& validation) {
+  if (static_cast<float>(c.area_px) < least_area_px(validation, camera, c.mean_depth_m()))
+    return reject_reason::too_small;
+  const float measured = static_cast<float>(c.area_px - c.filled_px) / static_cast<float>(c.area_px);
+  if (validation.enabled && measured < validation.min_valid_share) return reject_reason::missing_depth;
+  return {};
+}
+
 }  // namespace
 
 void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
@@ -37,24 +46,32 @@ void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<cons
     std::int32_t& index = component_at_[static_cast<std::size_t>(first)];
     if (index < 0) {
       index = static_cast<std::int32_t>(components_.size());
-      components_.push_back({first, 0, 0, 0});
+      components_.emplace_back().first = first;
     }
     runs_.push_back({static_cast<std::size_t>(index), y, begin, end});
-    Component& component = components_[static_cast<std::size_t>(index)];
+    RegionStatistics& component = components_[static_cast<std::size_t>(index)];
     component.area_px += end - begin;
     component.filled_px += count_set(filled.row(y) + begin, filled.row(y) + end);
-    component.depth_sum_m += (end - begin) * 0.5 * (double{depth_m(begin, y)} + depth_m(end - 1, y));
+    component.twice_depth +=
+        RegionStatistics::twice_depth_of_run(end - begin, depth_m(begin, y), depth_m(end - 1, y));
   });
 }
 
-std::string_view RegionNumbering::reason_to_drop(const Component& c, const Camera& camera,
-                                                 const ValidationParams& validation) const {
-  const auto mean_depth_m = static_cast<float>(c.depth_sum_m / c.area_px);
-  if (static_cast<float>(c.area_px) < least_area_px(validation, camera, mean_depth_m))
-    return reject_reason::too_small;
-  const float measured = static_cast<float>(c.area_px - c.filled_px) / static_cast<float>(c.area_px);
-  if (validation.enabled && measured < validation.min_valid_share) return reject_reason::missing_depth;
-  return {};
+int RegionNumbering::choose(std::span<const RegionStatistics> components, int width_px, const Camera& camera,
+                            const ValidationParams& validation, std::vector<RejectedRegion>& rejected) {
+  constexpr int most = std::numeric_limits<std::uint16_t>::max();
+  int count = 0;
+  label_.assign(components.size(), 0);
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const RegionStatistics& c = components[i];
+    std::string_view reason = reason_to_drop(c, camera, validation);
+    if (reason.empty() && count == most) reason = reject_reason::too_many;
+    if (reason.empty())
+      label_[i] = static_cast<std::uint16_t>(++count);
+    else
+      rejected.push_back({{c.first % width_px, c.first / width_px}, c.area_px, std::string(reason)});
+  }
+  return count;
 }
 
 int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
@@ -62,18 +79,7 @@ int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const 
                             const ValidationParams& validation, ImageView<std::uint16_t> labels,
                             std::vector<RejectedRegion>& rejected) {
   collect(root, depth_m, filled);
-  constexpr int most = std::numeric_limits<std::uint16_t>::max();
-  int count = 0;
-  label_.assign(components_.size(), 0);
-  for (std::size_t i = 0; i < components_.size(); ++i) {
-    const Component& c = components_[i];
-    std::string_view reason = reason_to_drop(c, camera, validation);
-    if (reason.empty() && count == most) reason = reject_reason::too_many;
-    if (reason.empty())
-      label_[i] = static_cast<std::uint16_t>(++count);
-    else
-      rejected.push_back({{c.first % root.width, c.first / root.width}, c.area_px, std::string(reason)});
-  }
+  const int count = choose(components_, root.width, camera, validation, rejected);
   for (int y = 0; y < labels.height; ++y) std::fill_n(labels.row(y), labels.width, std::uint16_t{0});
   for (const Run& run : runs_)
     std::fill(labels.row(run.y) + run.begin, labels.row(run.y) + run.end, label_[run.component]);

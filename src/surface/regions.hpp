@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/camera.hpp"
 #include "core/image.hpp"
 #include "surface/contours.hpp"
 #include "surface/pose.hpp"
+#include "surface/region_statistics.hpp"
 #include "surface/validation.hpp"
 
 namespace facet {
@@ -21,24 +23,20 @@ class RegionNumbering {
   int number(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
              ImageView<const std::uint8_t> filled, const Camera& camera, const ValidationParams& validation,
              ImageView<std::uint16_t> labels, std::vector<RejectedRegion>& rejected);
+  /// The same for components that are known, in raster order of their first pixels; `width_px` of the image.
+  int choose(std::span<const RegionStatistics> components, int width_px, const Camera& camera,
+             const ValidationParams& validation, std::vector<RejectedRegion>& rejected);
+  std::span<const std::uint16_t> labels() const { return label_; }  ///< of the components, 0 = none
 
  private:
-  struct Component {
-    int first = 0;  ///< raster index
-    int area_px = 0;
-    int filled_px = 0;
-    double depth_sum_m = 0;  ///< each run of a row by the trapezoid over its ends
-  };
   struct Run {
     std::size_t component = 0;
     int y = 0, begin = 0, end = 0;
   };
   void collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
                ImageView<const std::uint8_t> filled);
-  std::string_view reason_to_drop(const Component& component, const Camera& camera,
-                                  const ValidationParams& validation) const;
 
-  std::vector<Component> components_;
+  std::vector<RegionStatistics> components_;
   std::vector<Run> runs_;
   std::vector<std::int32_t> component_at_;  ///< by raster index of the first pixel
   std::vector<std::uint16_t> label_;

@@ -33,6 +33,19 @@ TEST_P(CudaParity, GivesTheResultOfTheCpuOnTheFrameOfASensor) {
                        last_of_three(size, *make_cuda_pipeline(params())), GetParam().name);
 }
 
+TEST_P(CudaParity, GivesTheResultOfTheCpuInARunningSequence) {  // whose work comes again, as graphs
+  constexpr Size size{157, 119};
+  const Camera camera = scaled_camera(size);
+  const auto cpu = make_cpu_pipeline(params(), 7), cuda = make_cuda_pipeline(params());
+  FrameResult expected, result;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Image<float> depth = small_measured_scene(4, size, camera, i % 2);
+    cpu->process({depth.view(), camera}, expected);
+    cuda->process({depth.view(), camera}, result);
+    expect_equal_results(expected, result, "frame " + std::to_string(i));
+  }
+}
+
 TEST_P(CudaParity, GivesTheResultOfTheCpuOnAwkwardFramesOneAfterTheOther) {
   const auto cpu = make_cpu_pipeline(params(), 7), cuda = make_cuda_pipeline(params());
   for (const Size size : {Size{1, 1}, Size{31, 7}, Size{33, 9}, Size{1, 40}, Size{97, 61}, Size{31, 7}}) {

@@ -9,9 +9,9 @@
 
 namespace facet {
 
-/// Executor that emulates a device launch on the CPU: every thread of the grid runs, those beyond the image's edge
-/// too, in shuffled order and under the guarded border rule. What gives other results here than on the CPU executor
-/// depends on the order of threads or misses its guard.
+/// Executor that emulates a device launch on the CPU: every thread of the grid runs, those beyond the image's
+/// edge too, in shuffled order and under the guarded border rule. What gives other results here than on the
+/// CPU executor depends on the order of threads or misses its guard.
 class ShuffledGridExecutor {
  public:
   template <class T>
@@ -58,6 +58,8 @@ class ShuffledGridExecutor {
   ImageView<const T> on_host(const Image<T>& image) {
     return image.view();
   }
+  template <class... T>
+  void fetch(const Image<T>&...) {}
   template <class T>
   void fill(ImageView<T> image, T value) {
     for (int y = 0; y < image.height; ++y)
