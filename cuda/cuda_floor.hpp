@@ -13,7 +13,7 @@ struct CudaFloor {
   double copy_bytes_per_s = 0;    ///< within the device; bytes read and bytes written both count
   double upload_bytes_per_s = 0;  ///< from pinned host memory
   double download_bytes_per_s = 0;
-  double launch_us = 0;      ///< a kernel that does nothing, among many
+  double launch_us = 0;      ///< a kernel that does nothing, among many of a graph
   double round_trip_us = 0;  ///< a kernel that does nothing, waited for
 };
 

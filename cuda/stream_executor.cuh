@@ -114,14 +114,18 @@ class StreamExecutor {
       passes_.restart();
       return false;
     }
-    const auto slot = static_cast<std::size_t>(passes_.end());
     int* answers = host_words_.as<HostWords>()->changed;
-    call(Kernels::publish_flag(), 1, 1, &words_.as<DeviceWords>()->changed, answers + slot);
-    queue_.give(answered_[slot]);
+    call(Kernels::publish_flag(), 1, 1, &words_.as<DeviceWords>()->changed, answers + passes_.end());
+    if (passes_.is_to_give()) queue_.give(answered_[passes_.last() % answered_.size()]);
     const auto due = passes_.due();
     if (!due) return true;
-    answered_[static_cast<std::size_t>(*due)].wait();
-    return const_cast<const volatile int&>(answers[*due]) != 0;
+    answered_[*due % answered_.size()].wait();
+    const auto has_changed = [&](std::size_t pass) {
+      return const_cast<const volatile int&>(answers[pass % PassesAhead::slots]) != 0;
+    };
+    if (has_changed(*due)) return true;
+    passes_.ended(*due, has_changed);
+    return false;
   }
 
   /// Runs `work` and adds its time [ms] to `elapsed_ms`, which must last until the outermost call ends; when
@@ -154,6 +158,7 @@ class StreamExecutor {
   }
   template <class... Arguments>
   void call(const void* kernel, dim3 blocks, dim3 threads, const Arguments&... arguments) {
+    passes_.note_kernel(kernel);
     queue_.call(kernel, blocks, threads, arguments...);
     ++work_;
   }
@@ -182,7 +187,7 @@ class StreamExecutor {
   PinnedMemory host_words_, upload_staging_, download_staging_;
   std::optional<std::uint64_t> uploaded_at_;
   PassesAhead passes_;
-  std::array<Event, PassesAhead::slots> answered_;
+  std::array<Event, PassesAhead::count + 1> answered_;
   DeviceScratch scratch_;
   WorkQueue queue_;
   EventTimer timer_;

@@ -26,7 +26,7 @@ TEST_F(EmulatedDevice, EverythingIsGivenBackAndNothingIsMadePerFrame) {
   EXPECT_EQ(emulated_runtime().living, 0);
 }
 
-TEST_F(EmulatedDevice, AFrameWaitsForTheDeviceALittleOftenerThanItHasPasses) {
+TEST_F(EmulatedDevice, IsWaitedForRarelyInARunningSequence) {
   EmulatedExecutor executor;
   PipelineBody<EmulatedExecutor> body(executor, {}, 7);
   FrameResult result;
@@ -36,7 +36,7 @@ TEST_F(EmulatedDevice, AFrameWaitsForTheDeviceALittleOftenerThanItHasPasses) {
   });
   RecordProperty("waits", emulated_runtime().waits);
   RecordProperty("launches", emulated_runtime().launches);
-  EXPECT_LT(emulated_runtime().waits, emulated_runtime().launches / 2);
+  EXPECT_LT(emulated_runtime().waits, emulated_runtime().launches / 5);
 }
 
 TEST_F(EmulatedDevice, FramesOfManySizesOneAfterTheOtherGiveWhatTheCpuGives) {

@@ -6,31 +6,80 @@
 namespace facet {
 namespace {
 
-/// Passes of a stage that changes something in the first `changing` of them; answers lie in slots until they
-/// are due.
-int passes_until_stopped(PassesAhead& passes, int changing) {
+constexpr int kernels[2]{};
+
+struct Course {
+  std::size_t passes = 0, questions = 0;
+};
+
+/// A stage that changes something in the first `changing` of its passes; answers lie in slots until they are
+/// due. What is not given to the device has no answer.
+Course course_of(PassesAhead& passes, std::size_t changing, const int& kernel = kernels[0]) {
   std::vector<int> slots(PassesAhead::slots, -1);
+  Course run;
   passes.restart();
-  for (int pass = 0; pass < 1000; ++pass) {
+  while (run.passes < 1000) {
     passes.begin();
-    slots[static_cast<std::size_t>(passes.end())] = pass < changing;
+    passes.note_kernel(&kernel);
+    const bool has_changed = run.passes++ < changing;
+    slots[passes.end()] = has_changed;
     const auto due = passes.due();
-    if (due && slots[static_cast<std::size_t>(*due)] == 0) return pass + 1;
+    if (!due) continue;
+    EXPECT_TRUE(passes.is_to_give());
+    ++run.questions;
+    const auto answer = [&](std::size_t pass) { return slots[pass % PassesAhead::slots] != 0; };
+    if (answer(*due)) continue;
+    passes.ended(*due, answer);
+    break;
   }
-  return 1000;
+  return run;
 }
 
-TEST(PassesAhead, AStageEndsAsManyPassesAfterItsLastChangeAsAnswersAreWaitedFor) {
-  for (const int changing : {0, 1, 2, 3, 4, 50}) {
+std::size_t stepped(std::size_t passes) {
+  return (passes + PassesAhead::step - 1) / PassesAhead::step * PassesAhead::step;
+}
+
+TEST(PassesAhead, AStageThatIsNewEndsAsManyPassesAfterItsLastChangeAsAnswersAreWaitedFor) {
+  for (const std::size_t changing : {0u, 1u, 2u, 3u, 4u, 50u}) {
     PassesAhead passes;
-    EXPECT_EQ(passes_until_stopped(passes, changing), changing + 1 + PassesAhead::count) << changing;
+    EXPECT_EQ(course_of(passes, changing).passes, changing + 1 + PassesAhead::count) << changing;
   }
 }
 
-TEST(PassesAhead, AnswersOfTheStageBeforeAreForgotten) {
+TEST(PassesAhead, AStageThatNeedsAsManyPassesAsTheLastTimeAsksOnce) {
+  for (const std::size_t changing : {0u, 1u, 2u, 3u, 4u, 50u, 200u}) {
+    PassesAhead passes;
+    course_of(passes, changing);
+    for (int again = 0; again < 3; ++again) {
+      const Course run = course_of(passes, changing);
+      EXPECT_EQ(run.questions, 1u) << changing;
+      // What was long ago is not known any more.
+      if (changing < PassesAhead::slots) {
+        EXPECT_EQ(run.passes, stepped(changing + 1)) << changing;
+      }
+    }
+  }
+}
+
+TEST(PassesAhead, AStageThatNeedsMorePassesGoesOn) {
   PassesAhead passes;
-  EXPECT_EQ(passes_until_stopped(passes, 0), 1 + PassesAhead::count);
-  EXPECT_EQ(passes_until_stopped(passes, 5), 6 + PassesAhead::count);
+  course_of(passes, 3);
+  EXPECT_EQ(course_of(passes, 30).passes, 31 + PassesAhead::count);
+  EXPECT_EQ(course_of(passes, 30).passes, stepped(31));
+}
+
+TEST(PassesAhead, AStageThatNeedsFewerPassesHasFewerTheNextTime) {
+  PassesAhead passes;
+  course_of(passes, 30);
+  EXPECT_EQ(course_of(passes, 2).passes, stepped(31));
+  EXPECT_EQ(course_of(passes, 2).passes, stepped(3));
+}
+
+TEST(PassesAhead, WhatAnotherStageNeededIsNotExpected) {
+  PassesAhead passes;
+  course_of(passes, 30, kernels[0]);
+  EXPECT_EQ(course_of(passes, 1, kernels[1]).passes, 2 + PassesAhead::count);
+  EXPECT_EQ(course_of(passes, 30, kernels[0]).questions, 1u);
 }
 
 TEST(PassesAhead, AQuestionWithoutAPassIsNotOpen) {
@@ -38,7 +87,7 @@ TEST(PassesAhead, AQuestionWithoutAPassIsNotOpen) {
   EXPECT_FALSE(passes.is_open());
   passes.begin();
   EXPECT_TRUE(passes.is_open());
-  EXPECT_EQ(passes.end(), 0);
+  EXPECT_EQ(passes.end(), 0u);
   EXPECT_FALSE(passes.is_open());
 }
 
