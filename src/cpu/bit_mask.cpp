@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "cpu/clones.hpp"
+#include "core/clones.hpp"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

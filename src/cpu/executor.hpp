@@ -8,8 +8,8 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
+#include "core/clones.hpp"
 #include "core/image.hpp"
-#include "cpu/clones.hpp"
 #include "cpu/scratch.hpp"
 #include "cpu/sparse_row.hpp"
 

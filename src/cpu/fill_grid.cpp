@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "cpu/clones.hpp"
+#include "core/clones.hpp"
 #include "cpu/sparse_row.hpp"
 
 namespace facet {

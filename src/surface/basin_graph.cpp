@@ -16,13 +16,15 @@ void extend(BasinBorder& border, const BasinBorder& other) {
   border.length += other.length;
   border.known += other.known;
   border.sum += other.sum;
-  border.points = std::min(border.length, static_cast<int>(BasinBorder::most_points));
-  for (int k = 0; k < border.points; ++k) {
-    const int place = (2 * k + 1) * border.length / (2 * border.points);
+  border.seam.count = 0;
+  const int points = std::min(border.length, Seam::most_points);
+  for (int k = 0; k < points; ++k) {
+    const int place = (2 * k + 1) * border.length / (2 * points);
     const bool is_first = place < before.length;
     const BasinBorder& part = is_first ? before : other;
-    const int own = (place - (is_first ? 0 : before.length)) * part.points / part.length;
-    border.point[static_cast<std::size_t>(k)] = part.point[static_cast<std::size_t>(own)];
+    const auto own =
+        static_cast<std::size_t>((place - (is_first ? 0 : before.length)) * part.seam.count / part.length);
+    border.seam.add(part.seam.x[own], part.seam.y[own]);
   }
 }
 
@@ -80,13 +82,13 @@ BasinBorder BasinGraph::border_of(const BasinLandscape& l, std::span<const Conta
   BasinBorder border{contacts[0].a, contacts[0].b, static_cast<int>(contacts.size())};
   for (const Contact& c : contacts)
     if (c.strength < unknown_strength) border.sum += c.strength, ++border.known;
-  border.points = std::min(border.length, static_cast<int>(BasinBorder::most_points));
-  for (int k = 0; k < border.points; ++k) {
-    const auto& c = contacts[static_cast<std::size_t>((2 * k + 1) * border.length / (2 * border.points))];
+  const int points = std::min(border.length, Seam::most_points);
+  for (int k = 0; k < points; ++k) {
+    const auto& c = contacts[static_cast<std::size_t>((2 * k + 1) * border.length / (2 * points))];
     const int x = c.place / 2 % l.basin.width, y = c.place / 2 / l.basin.width;
     const bool down = c.place % 2 != 0;
-    border.point[static_cast<std::size_t>(k)] = {static_cast<float>(x) + (down ? 0.0f : 0.5f) - l.camera.cx,
-                                                 static_cast<float>(y) + (down ? 0.5f : 0.0f) - l.camera.cy};
+    border.seam.add(static_cast<float>(x) + (down ? 0.0f : 0.5f) - l.camera.cx,
+                    static_cast<float>(y) + (down ? 0.5f : 0.0f) - l.camera.cy);
   }
   return border;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,16 +13,12 @@ namespace facet {
 
 /// The border between two regions.
 struct BasinBorder {
-  static constexpr std::size_t most_points = 12;
-
   int a = 0, b = 0;  ///< basins on its sides, a < b
   int length = 0;    ///< pairs of neighbours; 0 = gone: its sides are one, or another has it
   int known = 0;     ///< of these, where the strength is known
   float sum = 0;     ///< of the known strengths
-  int points = 0;
-  std::array<SeamPoint, most_points> point{};  ///< spread over the border
+  Seam seam{};       ///< points spread over the border
 
-  std::span<const SeamPoint> seam() const { return {point.data(), static_cast<std::size_t>(points)}; }
   /// Mean strength; unknown_strength where it is known along fewer than three pairs.
   float strength() const;
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/camera.hpp"
+#include "core/changes.hpp"
 #include "core/image_view.hpp"
 
 namespace facet {
@@ -34,20 +35,13 @@ struct BasinLandscape {
 template <class Visit>
 void for_each_contact(const BasinLandscape& landscape, ImageView<const std::int32_t> region,
                       const Visit& visit) {
-  const auto strength_of = [&](int x0, int y0, int x1, int y1) {
-    const float here = landscape.known_strength(x0, y0), there = landscape.known_strength(x1, y1);
-    return here > there ? here : there;
-  };
-  for (int y = 0; y < region.height; ++y) {
-    const bool is_last = y + 1 == region.height;
-    const std::int32_t *row = region.row(y), *below = region.row(is_last ? y : y + 1);
-    for (int x = 0; x < region.width; ++x) {
-      const std::int32_t here = row[x], right = x + 1 < region.width ? row[x + 1] : here;
-      if (here < 0) continue;
-      if (right != here && right >= 0) visit(here, right, x, y, false, strength_of(x, y, x + 1, y));
-      if (below[x] != here && below[x] >= 0) visit(here, below[x], x, y, true, strength_of(x, y, x, y + 1));
-    }
-  }
+  for_each_change(region, [&](int x, int y, bool down) {
+    const int other_x = down ? x : x + 1, other_y = down ? y + 1 : y;
+    const std::int32_t a = region(x, y), b = region(other_x, other_y);
+    if (a < 0 || b < 0) return;
+    const float here = landscape.known_strength(x, y), there = landscape.known_strength(other_x, other_y);
+    visit(a, b, x, y, down, here > there ? here : there);
+  });
 }
 
 }  // namespace facet

@@ -10,6 +10,8 @@ namespace {
 
 /// Basins of fewer independent readings than this may be noise.
 constexpr double min_readings = 5;
+/// Where no strength is known, that few readings tell no crease: a patch of them is what its prior says.
+constexpr double blind_readings = 1.5;
 /// Slope of a surface, dz/dx, that is not unusual: 63 degrees to the image plane.
 constexpr double usual_slope = 2;
 /// A sum of six squares of standard normal numbers, one per term of a patch, is larger in one case of 100.
@@ -47,7 +49,7 @@ void BasinMerging::judge(int i) {
   judged = {graph_.moments(a).count() + graph_.moments(b).count(), border.length, judged.serial + 1};
   if (border.strength() > most_strength_) return;
   const auto [excess, expected] =
-      seam_difference(fits_[static_cast<std::size_t>(a)], fits_[static_cast<std::size_t>(b)], border.seam(),
+      seam_difference(fits_[static_cast<std::size_t>(a)], fits_[static_cast<std::size_t>(b)], border.seam,
                       focal_px_, tolerance_);
   if (excess >= 1) return;
   candidates_.push_back({static_cast<float>(expected), i, judged.serial});
@@ -104,7 +106,9 @@ void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& par
                 params.fit_sigmas};
   noise_ = noise;
   focal_px_ = static_cast<double>(landscape.camera.fx);
-  const int count = shallow_.join(landscape, min_readings * double{noise.pixels_per_reading}, region);
+  const double px = double{noise.pixels_per_reading};
+  const int count =
+      shallow_.join(landscape, {min_readings * px, blind_readings * px, double{params.step_ratio}}, region);
   graph_.build(landscape, std::as_const(region).view(), count);
   fits_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) fits_[static_cast<std::size_t>(i)] = fitted(graph_.moments(i));

@@ -14,10 +14,10 @@
 namespace facet {
 
 /// Merges basins across borders that are no creases, so that noise, texture and the curvature of a cylinder
-/// do not split a surface. First, small basins that are no deeper than noise join the neighbour across their
-/// lowest pass. Then regions join by the difference to be expected of their patches, least first, if one
-/// patch explains both; first across borders that turn by little, so that fits within faces are sure before
-/// those near creases are judged by them. Last, the borders that are left move to where the patches meet.
+/// do not split a surface. First, basins that say nothing by themselves join a neighbour. Then regions join
+/// by the difference to be expected of their patches, least first, if one patch explains both; first across
+/// borders that turn by little, so that fits within faces are sure before those near creases are judged by
+/// them. Last, the borders that are left move to where the patches meet.
 class BasinMerging {
  public:
   /// `region` receives, for every pixel, the number of its region, -1 = none.

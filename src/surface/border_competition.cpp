@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/changes.hpp"
 #include "core/neighbours.hpp"
 
 namespace facet {
@@ -70,16 +71,11 @@ void BorderCompetition::list(int pixel) {
 void BorderCompetition::list_border_pixels(ImageView<const std::int32_t> region) {
   pixels_.clear();
   listed_.assign(static_cast<std::size_t>(region.size().area()), 0);
-  const auto list_pair = [&](int x0, int y0, int x1, int y1) {
-    if (region(x0, y0) == region(x1, y1)) return;
-    list(y0 * region.width + x0);
-    list(y1 * region.width + x1);
-  };
-  for (int y = 0; y < region.height; ++y)
-    for (int x = 0; x < region.width; ++x) {
-      if (x + 1 < region.width) list_pair(x, y, x + 1, y);
-      if (y + 1 < region.height) list_pair(x, y, x, y + 1);
-    }
+  for_each_change(region, [&](int x, int y, bool down) {
+    const int pixel = y * region.width + x;
+    list(pixel);
+    list(pixel + (down ? region.width : 1));
+  });
 }
 
 void BorderCompetition::list_pixels_around_moves(Size size) {

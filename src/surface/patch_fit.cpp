@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/clones.hpp"
+
 namespace facet {
 namespace {
 
@@ -83,22 +85,23 @@ PatchFit PatchMoments::fit(const PatchPrior& prior) const {
   return patch;
 }
 
-PatchFit::Variance PatchFit::variance_at(double x_px, double y_px) const {
+FACET_CPU_CLONES PatchFit::Variance PatchFit::variance_at(double x_px, double y_px) const {
   constexpr double unit = PatchMoments::px_unit;
   const double x = unit * x_px - x0_, y = unit * y_px - y0_;
   // The covariance of the terms is the variance of a reading times the inverse of factor factor^T: solved
-  // forward for the directions of the value and of the two slopes at once.
-  double v[6][3] = {{1, 0, 0},
+  // forward for the directions of the value and of the two slopes at once; a fourth column of zeros makes
+  // full vectors.
+  double v[6][4] = {{1, 0, 0},
                     {x, unit, 0},
                     {y, 0, unit},
                     {x * x, 2 * unit * x, 0},
                     {x * y, unit * y, unit * x},
                     {y * y, 0, 2 * unit * y}};
-  double sum[3] = {};
+  double sum[4] = {};
   for (std::size_t r = 0; r < 6; ++r) {
     for (std::size_t c = 0; c < r; ++c)
-      for (std::size_t k = 0; k < 3; ++k) v[r][k] -= factor_[6 * c + r] * v[c][k];
-    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 4; ++k) v[r][k] -= factor_[6 * c + r] * v[c][k];
+    for (std::size_t k = 0; k < 4; ++k) {
       v[r][k] *= factor_[7 * r];
       sum[k] += v[r][k] * v[r][k];
     }

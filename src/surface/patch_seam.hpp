@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstddef>
 
 #include "surface/patch_fit.hpp"
 
@@ -14,8 +14,18 @@ struct SeamTolerance {
   double sigmas = 0;      ///< in deviations of the difference of the two fits, added in squares
 };
 
-/// A pixel of a seam, relative to the principal point [px].
-using SeamPoint = std::array<float, 2>;
+/// Where two patches meet: points relative to the principal point [px].
+struct Seam {
+  static constexpr int most_points = 12;
+  int count = 0;
+  std::array<float, most_points> x{}, y{};
+
+  /// The seam has room for another point.
+  void add(float at_x, float at_y) {
+    x[static_cast<std::size_t>(count)] = at_x, y[static_cast<std::size_t>(count)] = at_y;
+    ++count;
+  }
+};
 
 /// Difference of two patches along their seam: the larger one of the root mean squares of the angle and of
 /// the step, over what is tolerated.
@@ -23,8 +33,8 @@ struct SeamDifference {
   double excess = 0;    ///< over the tolerance and the noise of the fits: above 1, the two are surfaces
   double expected = 0;  ///< with the noise of the fits added to it, over the tolerance alone
 };
-/// `focal_px`: of the camera.
-SeamDifference seam_difference(const PatchFit& a, const PatchFit& b, std::span<const SeamPoint> seam,
-                               double focal_px, const SeamTolerance& tolerance);
+/// `seam`: at least one point; `focal_px`: of the camera.
+SeamDifference seam_difference(const PatchFit& a, const PatchFit& b, const Seam& seam, double focal_px,
+                               const SeamTolerance& tolerance);
 
 }  // namespace facet

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "core/run.hpp"
@@ -20,26 +21,44 @@ void ShallowBasins::number_basins(const BasinLandscape& l, ImageView<std::int32_
       std::int32_t& number = number_[static_cast<std::size_t>(name)];
       if (number < 0) {
         number = static_cast<std::int32_t>(basins_.size());
-        basins_.emplace_back();
+        // Water that runs down ends in the pixel that names the basin, or on its level ground.
+        basins_.push_back({0, l.known_strength(name % region.width, name / region.width)});
       }
       std::fill(region.row(y) + begin, region.row(y) + end, number);
-      float lowest = basin(number).lowest;
-      for (int x = begin; x < end; ++x) lowest = std::min(lowest, l.known_strength(x, y));
-      basin(number) = {basin(number).count_px + end - begin, lowest};
+      basin(number).count_px += end - begin;
+      if (float& bottom = basin(number).bottom; bottom <= l.floor)
+        for (int x = begin; x < end; ++x) bottom = std::min(bottom, l.known_strength(x, y));
     }
 }
 
 bool ShallowBasins::is_shallow(const Pass& pass, const Basin& a, const Basin& b) const {
-  return std::min(a.count_px, b.count_px) <= most_px_ && pass.height - std::max(a.lowest, b.lowest) < floor_;
+  return std::min(a.count_px, b.count_px) <= limits_.most_px &&
+         pass.height - std::max(a.bottom, b.bottom) < floor_;
+}
+
+bool ShallowBasins::are_blind(const Basin& a, const Basin& b) const {
+  return std::min(a.bottom, b.bottom) >= unknown_strength && a.count_px + b.count_px <= limits_.most_blind_px;
+}
+
+bool ShallowBasins::may_join(const Pass& pass) const {
+  const Basin &a = basin(pass.a), &b = basin(pass.b);
+  return pass.height < unknown_strength ? is_shallow(pass, a, b) : are_blind(a, b);
 }
 
 /// Those between basins that may be joined. Joined basins are larger and their bottom is no higher, so that
 /// the others cannot become candidates later.
 void ShallowBasins::collect_passes(const BasinLandscape& l, ImageView<const std::int32_t> region) {
   passes_.clear();
-  for_each_contact(l, region, [this](int a, int b, int, int, bool, float strength) {
-    const Pass pass{strength, std::min(a, b), std::max(a, b)};
-    if (strength < unknown_strength && is_shallow(pass, basin(a), basin(b))) passes_.push_back(pass);
+  for_each_contact(l, region, [&](int a, int b, int x, int y, bool down, float strength) {
+    Pass pass{strength, std::min(a, b), std::max(a, b)};
+    if (!may_join(pass)) return;
+    if (strength >= unknown_strength) {
+      const double here = l.q(x, y), there = down ? l.q(x, y + 1) : l.q(x + 1, y);
+      const double step = std::abs(here - there) / std::min(here, there);
+      if (step > limits_.step_ratio) return;
+      pass.height += static_cast<float>(step);
+    }
+    passes_.push_back(pass);
   });
   // The bits of floats that are not negative sort as the floats do.
   order_.resize(passes_.size());
@@ -53,10 +72,10 @@ void ShallowBasins::join_passes() {
   for (const std::uint64_t key : order_) {
     const Pass& pass = passes_[key & 0xffffffff];
     const int a = sets_.find(pass.a), b = sets_.find(pass.b);
-    if (a == b || !is_shallow(pass, basin(a), basin(b))) continue;
+    if (a == b || !may_join({pass.height, a, b})) continue;
     sets_.join(a, b);
     basin(sets_.find(a)) = {basin(a).count_px + basin(b).count_px,
-                            std::min(basin(a).lowest, basin(b).lowest)};
+                            std::min(basin(a).bottom, basin(b).bottom)};
   }
 }
 
@@ -73,8 +92,9 @@ int ShallowBasins::number_regions(ImageView<std::int32_t> region) {
   return count;
 }
 
-int ShallowBasins::join(const BasinLandscape& landscape, double most_px, Image<std::int32_t>& region) {
-  most_px_ = most_px;
+int ShallowBasins::join(const BasinLandscape& landscape, const ShallowLimits& limits,
+                        Image<std::int32_t>& region) {
+  limits_ = limits;
   floor_ = landscape.floor;
   region.resize(landscape.basin.size());
   number_basins(landscape, region.view());

@@ -9,32 +9,44 @@
 
 namespace facet {
 
-/// Joins small basins that are no deeper than noise to the neighbour across their lowest pass.
+/// Which basins say nothing by themselves.
+struct ShallowLimits {
+  double most_px = 0;  ///< basins of more pixels are not shallow
+  /// Basins whose strength is known nowhere join each other while they have no more pixels together.
+  double most_blind_px = 0;
+  double step_ratio = 0;  ///< and not across a larger step of depth, relative to it [m/m]
+};
+
+/// Joins basins that say nothing by themselves: small ones no deeper than noise to the neighbour across their
+/// lowest pass, and those whose strength is known nowhere to each other across the least step of depth.
 class ShallowBasins {
  public:
-  /// Basins of at most `most_px` pixels are small; a basin is as deep as its lowest pass is above its bottom
-  /// (its topographic dynamics), and noise is landscape.floor deep. `region` receives numbers from 0 on in
-  /// the order of their first pixels, -1 = none; returns how many.
-  int join(const BasinLandscape& landscape, double most_px, Image<std::int32_t>& region);
+  /// A basin is as deep as its lowest pass is above its bottom (its topographic dynamics); noise is
+  /// landscape.floor deep. `region` receives numbers from 0 on in the order of their first pixels, -1 = none;
+  /// returns how many.
+  int join(const BasinLandscape& landscape, const ShallowLimits& limits, Image<std::int32_t>& region);
 
  private:
   struct Basin {
     int count_px = 0;
-    float lowest = unknown_strength;  ///< of the known strengths inside
+    float bottom = 0;  ///< strength there; unknown_strength where it is known nowhere
   };
   struct Pass {
-    float height;
+    float height;  ///< strength; above unknown_strength by the step of depth between two blind basins
     int a, b;
   };
   void number_basins(const BasinLandscape& landscape, ImageView<std::int32_t> region);
   bool is_shallow(const Pass& pass, const Basin& a, const Basin& b) const;
+  bool are_blind(const Basin& a, const Basin& b) const;
+  bool may_join(const Pass& pass) const;
   void collect_passes(const BasinLandscape& landscape, ImageView<const std::int32_t> region);
   void join_passes();
   int number_regions(ImageView<std::int32_t> region);
 
   Basin& basin(int i) { return basins_[static_cast<std::size_t>(i)]; }
+  const Basin& basin(int i) const { return basins_[static_cast<std::size_t>(i)]; }
 
-  double most_px_ = 0;
+  ShallowLimits limits_;
   float floor_ = 0;
   std::vector<Basin> basins_;
   std::vector<Pass> passes_;

@@ -1,5 +1,6 @@
 #include "surface/basin_graph.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -46,8 +47,9 @@ TEST(BasinGraph, KnowsPixelsStrengthsAndNeighboursOfEveryBasin) {
   EXPECT_EQ(border.b, 1);
   EXPECT_EQ(border.length, 6);
   EXPECT_FLOAT_EQ(border.strength(), (5 * 0.25f + 0.75f) / 6);
-  ASSERT_EQ(border.seam().size(), 6u);
-  EXPECT_EQ(border.seam()[5], (SeamPoint{3.5f, 5}));
+  ASSERT_EQ(border.seam.count, 6);
+  EXPECT_EQ(border.seam.x[5], 3.5f);
+  EXPECT_EQ(border.seam.y[5], 5);
 }
 
 TEST(BasinGraph, ABorderNearDepthEdgesHasNoKnownStrength) {
@@ -75,9 +77,11 @@ TEST(BasinGraph, JoinedBasinsShareTheirBorders) {
   EXPECT_EQ(border.length, 6);
   EXPECT_EQ(border.known, 6);
   EXPECT_FLOAT_EQ(border.sum, 1.5f);
-  EXPECT_EQ(border.seam().size(), 6u);
-  EXPECT_EQ(border.seam()[0], (SeamPoint{3.5f, 0}));
-  EXPECT_EQ(border.seam()[5], (SeamPoint{3.5f, 5}));
+  ASSERT_EQ(border.seam.count, 6);
+  EXPECT_EQ(border.seam.x[0], 3.5f);
+  EXPECT_EQ(border.seam.y[0], 0);
+  EXPECT_EQ(border.seam.x[5], 3.5f);
+  EXPECT_EQ(border.seam.y[5], 5);
   EXPECT_EQ(graph.moments(0).count(), 24);
 }
 
@@ -105,10 +109,9 @@ TEST(BasinGraph, ThePointsOfALongBorderAreSpreadOverIt) {
               basin.view(), 3);
   graph.join(0, 2);
   ASSERT_EQ(borders_of(graph, 0).size(), 1u);
-  const auto seam = graph.border(borders_of(graph, 0)[0]).seam();
-  ASSERT_EQ(seam.size(), BasinBorder::most_points);
-  int upper = 0;
-  for (const SeamPoint& point : seam) upper += point[1] < 40;
+  const Seam& seam = graph.border(borders_of(graph, 0)[0]).seam;
+  ASSERT_EQ(seam.count, Seam::most_points);
+  const auto upper = std::count_if(seam.y.begin(), seam.y.end(), [](float y) { return y < 40; });
   EXPECT_EQ(upper, 10);  // as many per pixel above as below
 }
 

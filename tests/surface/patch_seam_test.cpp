@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
-#include <vector>
 
 namespace facet {
 namespace {
@@ -25,10 +24,10 @@ std::function<double(double)> turned(double deg, double z0) {
   return [=](double u) { return z0 / (1 - u * std::tan(deg * M_PI / 180)); };
 }
 
-std::vector<SeamPoint> seam() {
-  std::vector<SeamPoint> points;
-  for (int y = -12; y < 13; y += 4) points.push_back({0, static_cast<float>(y)});
-  return points;
+Seam seam() {
+  Seam seam;
+  for (int y = -12; y < 13; y += 4) seam.add(0, static_cast<float>(y));
+  return seam;
 }
 
 TEST(SeamDifference, IsTheAngleBetweenTwoPlanesOverWhatIsTolerated) {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cpu/clones.hpp"
+#include "core/clones.hpp"
 #include "cpu/sparse_row.hpp"
 #include "cpu/tuned/fill_rims.hpp"
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "core/clones.hpp"
 #include "core/run.hpp"
-#include "cpu/clones.hpp"
 
 namespace facet {
 namespace {

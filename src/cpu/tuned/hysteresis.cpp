@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cpu/clones.hpp"
+#include "core/clones.hpp"
 #include "stage/ridge.hpp"
 
 namespace facet {

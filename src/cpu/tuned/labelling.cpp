@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/clones.hpp"
 #include "core/run.hpp"
-#include "cpu/clones.hpp"
 
 namespace facet {
 namespace {

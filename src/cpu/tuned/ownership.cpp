@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cpu/clones.hpp"
+#include "core/clones.hpp"
 #include "cpu/tuned/edge_list.hpp"
 #include "stage/ownership.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstring>
 
-#include "cpu/clones.hpp"
+#include "core/clones.hpp"
 
 namespace facet {
 namespace {

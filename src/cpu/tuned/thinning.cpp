@@ -1,6 +1,6 @@
 #include "cpu/tuned/thinning.hpp"
 
-#include "cpu/clones.hpp"
+#include "core/clones.hpp"
 #include "stage/thinning.hpp"
 
 namespace facet {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cpu/clones.hpp"
+#include "core/clones.hpp"
 
 namespace facet {
 namespace {
