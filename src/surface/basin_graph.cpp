@@ -69,9 +69,9 @@ void BasinGraph::sort_contacts(int Contact::*key) {
 
 void BasinGraph::collect_contacts(const BasinLandscape& l, ImageView<const std::int32_t> basin) {
   contacts_.clear();
-  for_each_contact(l, basin, [&](int a, int b, int x, int y, bool down, float strength) {
+  for_each_contact(basin, [&](int a, int b, int x, int y, bool down) {
     const int place = 2 * (y * basin.width + x) + (down ? 1 : 0);
-    contacts_.push_back({std::min(a, b), std::max(a, b), place, strength});
+    contacts_.push_back({std::min(a, b), std::max(a, b), place, l.strength_across(x, y, down)});
   });
   sort_contacts(&Contact::b);
   sort_contacts(&Contact::a);

@@ -20,21 +20,30 @@ void for_each_neighbour4(Size size, int pixel, const Visit& visit) {
   }
 }
 
-/// Mean squared distance of the readings around a pixel from a patch [1/m^2].
-double mean_square(const BasinLandscape& landscape, ImageView<const std::int32_t> region, int x, int y,
-                   const PatchFit& patch) {
-  double sum = 0;
+/// The readings around a pixel that are in a region: place relative to the principal point [px] and q [1/m].
+struct Readings {
+  static constexpr int most = (2 * window_radius_px + 1) * (2 * window_radius_px + 1);
   int count = 0;
-  for (int py = y - window_radius_px; py <= y + window_radius_px; ++py)
-    for (int px = x - window_radius_px; px <= x + window_radius_px; ++px) {
-      if (!region.size().contains(px, py) || region(px, py) < 0) continue;
-      const double u = px - double{landscape.camera.cx}, v = py - double{landscape.camera.cy};
-      const double distance = landscape.q(px, py) - patch.at(u, v).q;
+  double u[most], v[most], q[most];
+
+  Readings(const BasinLandscape& landscape, ImageView<const std::int32_t> region, int x, int y) {
+    for (int py = y - window_radius_px; py <= y + window_radius_px; ++py)
+      for (int px = x - window_radius_px; px <= x + window_radius_px; ++px) {
+        if (!region.size().contains(px, py) || region(px, py) < 0) continue;
+        u[count] = px - double{landscape.camera.cx}, v[count] = py - double{landscape.camera.cy};
+        q[count++] = landscape.q(px, py);
+      }
+  }
+  /// Mean of their squared distances from a patch [1/m^2].
+  double mean_square(const PatchFit& patch) const {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+      const double distance = q[i] - patch.at(u[i], v[i]).q;
       sum += distance * distance;
-      ++count;
     }
-  return sum / count;
-}
+    return sum / count;
+  }
+};
 
 /// The region whose patch explains a pixel best.
 std::int32_t winner_at(const Competition& c, ImageView<const std::int32_t> region, int pixel) {
@@ -46,8 +55,9 @@ std::int32_t winner_at(const Competition& c, ImageView<const std::int32_t> regio
     if (region(nx, ny) >= 0 && region(nx, ny) != own) rivals[count++] = region(nx, ny);
   });
   if (own < 0 || count == 0) return own;
+  const Readings readings(c.landscape, region, x, y);
   const auto square_of = [&](std::int32_t i) {
-    return mean_square(c.landscape, region, x, y, c.patches[static_cast<std::size_t>(i)]);
+    return readings.mean_square(c.patches[static_cast<std::size_t>(i)]);
   };
   const double q = c.landscape.q(x, y);
   const double least_gain = c.sigmas * double{c.noise.sigma_m(static_cast<float>(1 / q))} * q * q;

@@ -29,19 +29,9 @@ void shift(std::array<std::array<double, n>, n>& sums, double x0, double y0) {
 
 }  // namespace
 
-void PatchMoments::add_row(const double (&powers)[5], const double (&products)[3], double y) {
-  double of_y = 1;
-  for (std::size_t j = 0; j < 5; ++j, of_y *= y) {
-    for (std::size_t i = 0; i + j < 5; ++i) powers_[i][j] += powers[i] * of_y;
-    for (std::size_t i = 0; i + j < 3; ++i) products_[i][j] += products[i] * of_y;
-  }
-}
-
 PatchMoments& PatchMoments::operator+=(const PatchMoments& other) {
-  for (std::size_t i = 0; i < 5; ++i)
-    for (std::size_t j = 0; i + j < 5; ++j) powers_[i][j] += other.powers_[i][j];
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; i + j < 3; ++j) products_[i][j] += other.products_[i][j];
+  for (std::size_t j = 0; j < sums_.size(); ++j)
+    for (std::size_t i = 0; i < sums_[j].size(); ++i) sums_[j][i] += other.sums_[j][i];
   squares_ += other.squares_;
   return *this;
 }
@@ -50,9 +40,13 @@ PatchMoments& PatchMoments::operator+=(const PatchMoments& other) {
 /// readings of zero slope and curvature.
 PatchFit PatchMoments::fit(const PatchPrior& prior) const {
   PatchFit patch;
-  patch.x0_ = powers_[1][0] / count(), patch.y0_ = powers_[0][1] / count();
-  auto powers = powers_;
-  auto products = products_;
+  patch.x0_ = power(1, 0) / count(), patch.y0_ = power(0, 1) / count();
+  std::array<std::array<double, 5>, 5> powers;
+  std::array<std::array<double, 3>, 3> products;
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; i + j < 5; ++j) powers[i][j] = power(i, j);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; i + j < 3; ++j) products[i][j] = product(i, j);
   shift(powers, patch.x0_, patch.y0_);
   shift(products, patch.x0_, patch.y0_);
   Matrix6 normal;

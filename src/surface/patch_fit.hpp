@@ -48,18 +48,18 @@ class PatchMoments {
   /// [1/m].
   template <class QAt>
   void add_run(double x_px, double y_px, int count, const QAt& q_at) {
-    double powers[5] = {}, products[3] = {};
-    for (int k = 0; k < count; ++k) {
-      const double x = px_unit * (x_px + k), q = q_at(k), xx = x * x;
-      powers[0] += 1, powers[1] += x, powers[2] += xx, powers[3] += xx * x, powers[4] += xx * xx;
-      products[0] += q, products[1] += q * x, products[2] += q * xx;
+    Row row = powers_of_run(px_unit * (x_px + 0.5 * (count - 1)), count);
+    double x = px_unit * x_px;
+    for (int k = 0; k < count; ++k, x += px_unit) {
+      const double q = q_at(k), qx = q * x;
+      row[5] += q, row[6] += qx, row[7] += qx * x;
       squares_ += q * q;
     }
-    add_row(powers, products, px_unit * y_px);
+    add_row(row, px_unit * y_px);
   }
   PatchMoments& operator+=(const PatchMoments& other);
-  double count() const { return powers_[0][0]; }
-  double mean_q() const { return products_[0][0] / powers_[0][0]; }
+  double count() const { return power(0, 0); }
+  double mean_q() const { return product(0, 0) / count(); }
   /// The fit to at least one pixel.
   PatchFit fit(const PatchPrior& prior) const;
 
@@ -67,12 +67,29 @@ class PatchMoments {
   static constexpr double px_unit = 0.01;
 
  private:
-  /// Sums of x^i and of q x^i over a row at y.
-  void add_row(const double (&powers)[5], const double (&products)[3], double y);
+  /// Sums over pixels in a row: of 1, x, x^2, x^3, x^4, q, q x, q x^2.
+  using Row = std::array<double, 8>;
+  /// Those without q of a run about its middle `x`, by the sums of powers of consecutive numbers.
+  static Row powers_of_run(double x, double count) {
+    const double unit2 = px_unit * px_unit, n2 = count * count;
+    const double spread2 = count * (n2 - 1) / 12 * unit2;        // of the squares about the middle
+    const double spread4 = spread2 * (3 * n2 - 7) / 20 * unit2;  // of the fourth powers
+    const double xx = x * x;
+    return {count, count * x, count * xx + spread2, x * (count * xx + 3 * spread2),
+            xx * (count * xx + 6 * spread2) + spread4};
+  }
+  void add_row(const Row& row, double y) {
+    double of_y = 1;
+    for (Row& sums : sums_) {
+      for (std::size_t i = 0; i < row.size(); ++i) sums[i] += row[i] * of_y;
+      of_y *= y;
+    }
+  }
+  double power(std::size_t i, std::size_t j) const { return sums_[j][i]; }        ///< sum of x^i y^j
+  double product(std::size_t i, std::size_t j) const { return sums_[j][5 + i]; }  ///< sum of q x^i y^j
 
-  std::array<std::array<double, 5>, 5> powers_{};    ///< [i][j]: sum of x^i y^j, i + j <= 4
-  std::array<std::array<double, 3>, 3> products_{};  ///< [i][j]: sum of q x^i y^j, i + j <= 2
-  double squares_ = 0;                               ///< sum of q^2
+  std::array<Row, 5> sums_{};  ///< [j]: times y^j
+  double squares_ = 0;         ///< sum of q^2
 };
 
 inline PatchPoint PatchFit::at(double x_px, double y_px) const {

@@ -16,8 +16,10 @@ void ShallowBasins::number_basins(const BasinLandscape& l, ImageView<std::int32_
     for (int begin = 0, end = 0; begin < region.width; begin = end) {
       const std::int32_t name = l.basin(begin, y);
       end = end_of_run(l.basin.row(y), begin + 1, region.width, name);
-      std::fill(region.row(y) + begin, region.row(y) + end, -1);
-      if (name < 0) continue;
+      if (name < 0) {
+        std::fill(region.row(y) + begin, region.row(y) + end, -1);
+        continue;
+      }
       std::int32_t& number = number_[static_cast<std::size_t>(name)];
       if (number < 0) {
         number = static_cast<std::int32_t>(basins_.size());
@@ -48,11 +50,13 @@ bool ShallowBasins::may_join(const Pass& pass) const {
 /// Those between basins that may be joined. Joined basins are larger and their bottom is no higher, so that
 /// the others cannot become candidates later.
 void ShallowBasins::collect_passes(const BasinLandscape& l, ImageView<const std::int32_t> region) {
+  const double most_px = std::max(limits_.most_px, limits_.most_blind_px);
   passes_.clear();
-  for_each_contact(l, region, [&](int a, int b, int x, int y, bool down, float strength) {
-    Pass pass{strength, std::min(a, b), std::max(a, b)};
+  for_each_contact(region, [&](int a, int b, int x, int y, bool down) {
+    if (std::min(basin(a).count_px, basin(b).count_px) > most_px) return;
+    Pass pass{l.strength_across(x, y, down), std::min(a, b), std::max(a, b)};
     if (!may_join(pass)) return;
-    if (strength >= unknown_strength) {
+    if (pass.height >= unknown_strength) {
       const double here = l.q(x, y), there = down ? l.q(x, y + 1) : l.q(x + 1, y);
       const double step = std::abs(here - there) / std::min(here, there);
       if (step > limits_.step_ratio) return;
