@@ -73,9 +73,11 @@ PatchFit PatchMoments::fit(const PatchPrior& prior) const {
   Eigen::Map<Vector6>(patch.terms_.data()) = terms;
   patch.terms_[0] += mean_q();
   patch.reading_variance_ = variance;
-  Eigen::Map<Matrix6> stored(patch.factor_.data());
-  stored = factor.matrixLLT();
-  stored.diagonal() = stored.diagonal().cwiseInverse();
+  double* stored = patch.factor_.data();
+  for (int r = 0; r < 6; ++r) {
+    for (int c = 0; c < r; ++c) *stored++ = factor.matrixLLT()(r, c);
+    *stored++ = 1 / factor.matrixLLT()(r, r);
+  }
   return patch;
 }
 
@@ -92,11 +94,13 @@ FACET_CPU_CLONES PatchFit::Variance PatchFit::variance_at(double x_px, double y_
                     {x * y, unit * y, unit * x},
                     {y * y, 0, 2 * unit * y}};
   double sum[4] = {};
+  const double* factor = factor_.data();
   for (std::size_t r = 0; r < 6; ++r) {
-    for (std::size_t c = 0; c < r; ++c)
-      for (std::size_t k = 0; k < 4; ++k) v[r][k] -= factor_[6 * c + r] * v[c][k];
+    for (std::size_t c = 0; c < r; ++c, ++factor)
+      for (std::size_t k = 0; k < 4; ++k) v[r][k] -= *factor * v[c][k];
+    const double inverse = *factor++;
     for (std::size_t k = 0; k < 4; ++k) {
-      v[r][k] *= factor_[7 * r];
+      v[r][k] *= inverse;
       sum[k] += v[r][k] * v[r][k];
     }
   }

@@ -32,10 +32,9 @@ class PatchFit {
  private:
   friend class PatchMoments;
 
-  double x0_ = 0, y0_ = 0;         ///< centre of the region, in units
-  std::array<double, 6> terms_{};  ///< of 1, x, y, x^2, xy, y^2 about the centre
-  std::array<double, 36>
-      factor_{};  ///< the normal equations' lower triangular one, by columns, its diagonal inverted
+  double x0_ = 0, y0_ = 0;           ///< centre of the region, in units
+  std::array<double, 6> terms_{};    ///< of 1, x, y, x^2, xy, y^2 about the centre
+  std::array<double, 21> factor_{};  ///< the normal equations' lower triangle, by rows, its diagonal inverted
   double reading_variance_ = 1;
   double squares_ = 0;
 };
