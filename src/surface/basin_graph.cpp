@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/clones.hpp"
 #include "core/run.hpp"
 
 namespace facet {
@@ -42,7 +43,8 @@ void BasinGraph::build(const BasinLandscape& landscape, ImageView<const std::int
   list_borders();
 }
 
-void BasinGraph::collect_moments(const BasinLandscape& l, ImageView<const std::int32_t> basin, int count) {
+FACET_CPU_CLONES void BasinGraph::collect_moments(const BasinLandscape& l,
+                                                  ImageView<const std::int32_t> basin, int count) {
   moments_.assign(static_cast<std::size_t>(count), {});
   for (int y = 0; y < basin.height; ++y)
     for (int begin = 0, end = 0; begin < basin.width; begin = end) {
