@@ -67,6 +67,7 @@ class WorkList {
 
  private:
   /// Where the value lies in the content from now on. What pads it is zero, so that equal values are equal.
+  /// (GCC 12 forgets what pads the members after an array of padded structs: such arrays come last.)
   template <class T>
   std::size_t note(T value) {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::uint64_t));

@@ -29,11 +29,11 @@ inline constexpr int max_temporal_frames = 16;
 /// no frame saw stays missing.
 struct TemporalAverageOp {
   static constexpr int radius = 0;
-  ImageView<const float> frames[max_temporal_frames];
   int count;
   TemporalMode mode;
   DepthNoise noise;
   ImageView<float> out;
+  ImageView<const float> frames[max_temporal_frames];
 
   template <class Access>
   FACET_HD void operator()(int x, int y, Access) const {
@@ -101,7 +101,7 @@ class TemporalHistory {
 template <class Executor>
 void temporal_average(Executor& executor, const TemporalParams& params, const DepthNoise& noise,
                       const TemporalHistory<Executor>& history, ImageView<float> out) {
-  TemporalAverageOp op{{}, history.count(), params.mode, noise, out};
+  TemporalAverageOp op{history.count(), params.mode, noise, out, {}};
   for (int i = 0; i < history.count(); ++i) op.frames[i] = history.frame(i);
   executor.for_each_pixel(out.size(), op);
 }

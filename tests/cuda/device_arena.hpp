@@ -19,6 +19,7 @@ class DeviceArena {
   };
   /// Null where all of it is taken.
   void* allocate(std::size_t bytes);
+  bool contains(const void* address) const { return address >= base_ && address < base_ + used_; }
 
  private:
   DeviceArena();

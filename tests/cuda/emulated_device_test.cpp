@@ -17,6 +17,19 @@ TEST_F(EmulatedDevice, ItsMemoryIsNotForTheHost) {
   EXPECT_DEATH(image.view()(2, 1) = 8, "");
 }
 
+TEST_F(EmulatedDevice, ItsKernelsAreNotGivenMemoryOfTheHost) {
+  EmulatedExecutor executor;
+  Image<int> host(Size{3, 2});
+  EXPECT_THROW(
+      {
+        executor.fill(host.view(), 7);
+        executor.take_changed();
+        executor.changed_flag();
+        executor.take_changed();
+      },
+      std::logic_error);
+}
+
 TEST_F(EmulatedDevice, AnImageIsZeroAfterEachChangeOfItsSize) {
   EmulatedExecutor executor;
   DeviceImage<int> image;

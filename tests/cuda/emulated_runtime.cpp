@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <deque>
+#include <map>
 #include <set>
 
 #include "cuda/device_arena.hpp"
@@ -26,6 +27,12 @@ namespace {
 
 std::set<CUstream_st*>& streams() {
   static std::set<CUstream_st*> all;
+  return all;
+}
+
+/// Where pinned host memory ends, by where it begins.
+std::map<const char*, const char*>& pinned() {
+  static std::map<const char*, const char*> all;
   return all;
 }
 
@@ -102,6 +109,13 @@ cudaError_t append(cudaGraphNode_t* node, cudaGraph_t graph, const cudaGraphNode
 
 }  // namespace
 
+bool device_may_use(const void* address) {
+  const auto* byte = static_cast<const char*>(address);
+  const auto after = pinned().upper_bound(byte);
+  return DeviceArena::instance().contains(address) ||
+         (after != pinned().begin() && byte < std::prev(after)->second);
+}
+
 EmulatedRuntime& emulated_runtime() {
   static EmulatedRuntime runtime;
   return runtime;
@@ -126,10 +140,12 @@ cudaError_t cudaFree(void*) {
 }
 cudaError_t cudaHostAlloc(void** data, size_t bytes, unsigned) {
   *data = facet::made(std::malloc(bytes));
+  facet::pinned()[static_cast<const char*>(*data)] = static_cast<const char*>(*data) + bytes;
   return cudaSuccess;
 }
 cudaError_t cudaFreeHost(void* data) {
   facet::do_everything();
+  facet::pinned().erase(static_cast<const char*>(data));
   std::free(data);
   --emulated_runtime().living;
   return cudaSuccess;
@@ -141,6 +157,7 @@ cudaError_t cudaMemset(void* data, int value, size_t bytes) {  // does not wait 
 }
 cudaError_t cudaMemcpyAsync(void* to, const void* from, size_t bytes, cudaMemcpyKind kind,
                             cudaStream_t stream) {
+  if (!facet::device_may_use(to) || !facet::device_may_use(from)) return cudaErrorInvalidValue;
   facet::enqueue(stream, facet::copying(to, from, bytes, kind));
   return cudaSuccess;
 }
@@ -216,6 +233,7 @@ cudaError_t cudaGraphAddKernelNode(cudaGraphNode_t* node, cudaGraph_t graph, con
 cudaError_t cudaGraphAddMemcpyNode1D(cudaGraphNode_t* node, cudaGraph_t graph, const cudaGraphNode_t* after,
                                      size_t count, void* to, const void* from, size_t bytes,
                                      cudaMemcpyKind kind) {
+  if (!facet::device_may_use(to) || !facet::device_may_use(from)) return cudaErrorInvalidValue;
   const auto work = facet::copying(to, from, bytes, kind);
   return facet::append(node, graph, after, count,
                        [work](cudaStream_t stream) { facet::enqueue(stream, work); });

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <cstring>
 #include <cuda_runtime_api.h>
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <typeinfo>
 
 #include "support/shuffled_grid.hpp"
 
@@ -31,6 +35,23 @@ struct EmulatedRuntime {
   double now_ms = 0;         ///< goes on by 1 with every kernel that was done
 };
 EmulatedRuntime& emulated_runtime();
+
+/// Whether an address is in memory of the device or in host memory that it may use.
+bool device_may_use(const void* address);
+
+/// Whether what looks like an address in the bytes of a kernel's argument is none of the host's alone: on a
+/// device that would end the program. Numbers do not look like addresses of a process: as such, they would be
+/// denormal, or of two, the second between 21760 and 32767.
+template <class T>
+bool holds_no_host_memory(const T& argument) {
+  for (std::size_t at = 0; at + sizeof(std::uintptr_t) <= sizeof argument; at += sizeof(std::uintptr_t)) {
+    std::uintptr_t word = 0;
+    std::memcpy(&word, reinterpret_cast<const char*>(&argument) + at, sizeof word);
+    const bool is_address = word >> 32 >= 0x5500 && word >> 32 <= 0x7fff;
+    if (is_address && !device_may_use(reinterpret_cast<const void*>(word))) return false;
+  }
+  return true;
+}
 
 /// What stands at the address of a kernel: makes, of the arguments that it is called with, what it does.
 struct EmulatedKernel {
@@ -74,6 +95,8 @@ class EmulatedKernels {
  private:
   template <class T>
   static T value(const void* argument) {
+    if (!holds_no_host_memory(*static_cast<const T*>(argument)))
+      throw std::logic_error(std::string("a kernel was given memory of the host: ") + typeid(T).name());
     return *static_cast<const T*>(argument);
   }
   static ShuffledGridExecutor& grid() {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "stage/temporal_average.hpp"
+
 namespace facet {
 namespace {
 
@@ -10,23 +12,44 @@ struct Padded {
   double large;
 };
 
-/// The same values, in memory that held `garbage`.
-WorkList list_of(std::uint8_t garbage, const Padded& values) {
-  Padded argument;
-  std::memset(static_cast<void*>(&argument), garbage, sizeof argument);
-  argument.small = values.small, argument.large = values.large;
+/// A list with the same values, in memory that held `garbage`.
+template <class T, class SetValues>
+WorkList list_of(std::uint8_t garbage, const SetValues& set_values) {
   static const int kernel = 0;
+  T argument;
+  std::memset(static_cast<void*>(&argument), garbage, sizeof argument);
+  set_values(argument);
   WorkList list;
   list.call(&kernel, 2, 3, argument, 7);
   return list;
 }
 
+template <class T, class SetValues>
+void expect_equal_content(const SetValues& set_values) {
+  EXPECT_EQ(list_of<T>(0x55, set_values).content(), list_of<T>(0xAA, set_values).content());
+}
+
+void set(Padded& padded) {
+  padded.small = 1, padded.large = 2.5;
+}
+
+template <class T>
+void set(ImageView<T>& view) {
+  view.data = nullptr, view.width = 2, view.height = 3, view.stride = 4;
+}
+
 TEST(WorkList, OfEqualWorkHasEqualContentWhateverPadsItsArguments) {
-  EXPECT_EQ(list_of(0x55, {1, 2}).content(), list_of(0xAA, {1, 2}).content());
+  expect_equal_content<Padded>([](Padded& padded) { set(padded); });
+  expect_equal_content<TemporalAverageOp>([](TemporalAverageOp& op) {
+    op.count = 1, op.mode = TemporalMode::mean;
+    op.noise.a_m = op.noise.b_per_m = op.noise.z0_m = op.noise.pixels_per_reading = 1;
+    set(op.out);
+    for (auto& frame : op.frames) set(frame);
+  });
 }
 
 TEST(WorkList, KeepsTheArgumentsOfItsCalls) {
-  WorkList list = list_of(0, {1, 2.5});
+  WorkList list = list_of<Padded>(0, [](Padded& padded) { set(padded); });
   list.call(nullptr, 1, 1, 8);
   const auto& call = std::get<WorkList::Call>(list.pieces()[0]);
   const auto arguments = list.arguments_of(call);

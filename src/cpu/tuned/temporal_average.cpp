@@ -84,7 +84,7 @@ void average_row(const Rows& rows, int frames, int width, TemporalMode mode, con
 
 void temporal_average(CpuExecutor& executor, const TemporalParams& params, const DepthNoise& noise,
                       const TemporalHistory<CpuExecutor>& history, ImageView<float> out) {
-  TemporalAverageOp op{{}, history.count(), params.mode, noise, out};
+  TemporalAverageOp op{history.count(), params.mode, noise, out, {}};
   for (int i = 0; i < history.count(); ++i) op.frames[i] = history.frame(i);
   if (out.width < lanes || op.count > most_frames) return executor.for_each_pixel(out.size(), op);
   executor.for_each_row(out.height, [&](int y) {
