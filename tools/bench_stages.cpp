@@ -1,9 +1,11 @@
 // Times every stage of the pipeline, and the whole of it, in the three shipped modes at four image sizes on
-// one core.
+// one core, and the whole of it on two.
 //
 //   bench_stages                                        everything
 //   bench_stages --benchmark_filter=paper/wiener        one stage of one mode, at every size
-//   bench_stages --benchmark_filter='/total/640x480'    the whole pipeline at one size
+//   bench_stages --benchmark_filter='/total/640x480'    the whole pipeline at one size, on one thread
+//   bench_stages --benchmark_filter='/two_threads/'     on two threads
+//   bench_stages --benchmark_filter=copy                what copying an image takes
 //
 // Names are mode/stage/size. A stage is timed where it stands in the pipeline, on the input that the stages
 // before it leave; "Time" is the median of its wall times over the frames, beside it the least and the 90 %
@@ -17,13 +19,14 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "bench_scene.hpp"
+#include "core/image.hpp"
 #include "cpu/cpu_pipeline.hpp"
 #include "experiment/calibration.hpp"
 #include "experiment/environment.hpp"
 #include "experiment/experiment_reader.hpp"
 #include "score/intervals.hpp"
 #include "stage_traffic.hpp"
-#include "synth/synthetic_frame.hpp"
 
 namespace facet {
 namespace {
@@ -31,39 +34,19 @@ namespace {
 constexpr Size sizes[]{{320, 240}, {640, 480}, {640, 576}, {1280, 720}};
 constexpr int frames = 64;  ///< timed, after as many as the temporal average needs
 
-/// A quickstart scene as Kinect v1 would see it with that many pixels.
-struct Scene {
-  Camera camera;
-  Image<float> depth_m;
-};
-const Scene& scene_of(Size size) {
-  static std::map<std::pair<int, int>, Scene> scenes;
-  const auto [place, is_new] = scenes.try_emplace({size.width, size.height});
-  Scene& scene = place->second;
-  if (is_new) {
-    const float focal_px = 525.0f * static_cast<float>(size.width) / 640;
-    scene.camera = {focal_px, focal_px, static_cast<float>(size.width - 1) / 2,
-                    static_cast<float>(size.height - 1) / 2};
-    const View view = quickstart_views(1)[4];
-    const PosedScene posed(view.scene, view.T_world_camera);
-    scene.depth_m = measure({}, render(posed, scene.camera, size), scene.camera, 1);
-  }
-  return scene;
-}
-
-/// The times of `frames` frames of a running sequence, taken once per mode and size: its stages add up to its
-/// total.
+/// The times of `frames` frames of a running sequence, taken once per mode, size and number of threads: its
+/// stages add up to its total.
 struct Recording {
   std::vector<StageTimes> times;
   std::size_t surfaces = 0;
 };
-const Recording& record(const MethodSpec& mode, Size size) {
-  static std::map<std::tuple<std::string, int, int>, Recording> recordings;
-  const auto [place, is_new] = recordings.try_emplace({mode.name, size.width, size.height});
+const Recording& record(const MethodSpec& mode, Size size, int threads = 1) {
+  static std::map<std::tuple<std::string, int, int, int>, Recording> recordings;
+  const auto [place, is_new] = recordings.try_emplace({mode.name, size.width, size.height, threads});
   Recording& recording = place->second;
   if (!is_new) return recording;
-  const Scene& scene = scene_of(size);
-  const auto pipeline = make_cpu_pipeline(mode.params, 1);
+  const BenchScene& scene = bench_scene(size);
+  const auto pipeline = make_cpu_pipeline(mode.params, 1, threads);
   FrameResult result;
   for (int i = 0; i < mode.params.temporal.frames + frames; ++i) {
     pipeline->process({scene.depth_m.view(), scene.camera}, result);
@@ -75,9 +58,10 @@ const Recording& record(const MethodSpec& mode, Size size) {
 
 /// One benchmark; `time_of` picks the milliseconds that count.
 template <class TimeOf>
-void add(const MethodSpec& mode, std::string_view stage, Size size, int bytes_per_px, const TimeOf& time_of) {
-  const auto run = [mode, size, bytes_per_px, time_of](benchmark::State& state) {
-    const Recording& recording = record(mode, size);
+void add(const MethodSpec& mode, std::string_view stage, Size size, int bytes_per_px, const TimeOf& time_of,
+         int threads = 1) {
+  const auto run = [mode, size, bytes_per_px, time_of, threads](benchmark::State& state) {
+    const Recording& recording = record(mode, size, threads);
     std::vector<double> times_ms;
     for (const StageTimes& times : recording.times) times_ms.push_back(time_of(times));
     std::sort(times_ms.begin(), times_ms.end());
@@ -105,8 +89,22 @@ void add_mode(const MethodSpec& mode) {
       add(mode, stage_names[stage].key, size, bytes_per_px,
           [stage](const StageTimes& t) { return t.stage_ms[stage]; });
     }
-    add(mode, "total", size, total, [](const StageTimes& t) { return t.total_ms; });
+    const auto total_of = [](const StageTimes& t) { return t.total_ms; };
+    add(mode, "total", size, total, total_of);
+    add(mode, "two_threads", size, total, total_of, 2);
   }
+}
+
+/// What a stage that only moves its bytes would need: an image of depths is copied.
+void time_copy(benchmark::State& state, Size size) {
+  const Image<float> from(size, 1.0f);
+  Image<float> to(size);
+  for (auto _ : state) {
+    to = from;
+    benchmark::DoNotOptimize(to.row(0));
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(state.iterations() * 2 * static_cast<int>(sizeof(float)) * size.area());
 }
 
 void time_calibration(benchmark::State& state) {
@@ -125,6 +123,9 @@ int main(int argc, char** argv) {
       ->UseManualTime()
       ->Iterations(3)
       ->Unit(benchmark::kMillisecond);
+  for (const facet::Size size : facet::sizes)
+    benchmark::RegisterBenchmark(fmt::format("copy/{}x{}", size.width, size.height).c_str(), facet::time_copy,
+                                 size);
   for (const facet::MethodSpec& mode :
        facet::load_experiment(FACET_CONFIGS "/osd_methods.yaml").experiment.methods)
     facet::add_mode(mode);

@@ -53,6 +53,19 @@ class CpuExecutor {
     });
   }
 
+  /// band(begin, end) for as many bands of rows as there are threads; for tuned stages that keep rows at
+  /// hand.
+  template <class Band>
+  void for_each_band(int rows, const Band& band) {
+    if (threads_ == 1) {
+      band(0, rows);
+      return;
+    }
+    arena_.execute([&] {
+      tbb::parallel_for(0, threads_, [&](int i) { band(rows * i / threads_, rows * (i + 1) / threads_); });
+    });
+  }
+
   /// Sum over all pixels of the integer op(x, y): exact, so the order does not matter.
   template <class Op>
   std::int64_t sum_pixels(Size size, const Op& op) {
@@ -137,17 +150,6 @@ class CpuExecutor {
         op(x, y, InteriorAccess{});
       else
         op(x, y, GuardedAccess{});
-    });
-  }
-
-  template <class Band>
-  void for_each_band(int rows, const Band& band) {
-    if (threads_ == 1) {
-      band(0, rows);
-      return;
-    }
-    arena_.execute([&] {
-      tbb::parallel_for(0, threads_, [&](int i) { band(rows * i / threads_, rows * (i + 1) / threads_); });
     });
   }
 

@@ -67,10 +67,10 @@ void FillGrid::resize(Size size) {
     source_.assign(count, 0);
     mean_m_.resize(count);
     distance_m_.resize(count);
+    listed_in_.assign(count, 0);
+    pass_ = 0;
   }
   open_.assign(count, 0);
-  listed_in_.assign(count, 0);
-  pass_ = 0;
 }
 
 void FillGrid::list_open_beside_sources(std::vector<int>& list) {
@@ -164,7 +164,10 @@ void FillGrid::list_open_beside(const std::vector<int>& pixels, std::vector<int>
 }
 
 FACET_CPU_CLONES void FillGrid::propose(const std::vector<int>& pixels, std::vector<float>& means_m) {
-  ++pass_;
+  if (++pass_ == 0) {  // all numbers of passes have been used
+    std::fill(listed_in_.begin(), listed_in_.end(), std::uint16_t{0});
+    pass_ = 1;
+  }
   list_sources_beside(pixels);
   for (std::size_t i = 0; i < sources_.size(); i += 2)
     take_offers(sources_[i], sources_[std::min(i + 1, sources_.size() - 1)]);

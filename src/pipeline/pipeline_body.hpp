@@ -5,17 +5,18 @@
 #include <utility>
 
 #include "pipeline/buffers.hpp"
+#include "pipeline/gradient_use.hpp"
 #include "pipeline/number_regions.hpp"
 #include "pipeline/params.hpp"
 #include "pipeline/result.hpp"
 #include "pipeline/stage_range.hpp"
 #include "pipeline/temporal_window.hpp"
 #include "stage/basins.hpp"
+#include "stage/crease_by_normals.hpp"
 #include "stage/edge_distance.hpp"
 #include "stage/hysteresis.hpp"
 #include "stage/labelling.hpp"
 #include "stage/non_max_suppression.hpp"
-#include "stage/normals.hpp"
 #include "stage/outline_trim.hpp"
 #include "stage/ownership.hpp"
 #include "stage/thinning.hpp"
@@ -123,6 +124,7 @@ class PipelineBody {
   }
 
   void differentiate() {  // eq. 5
+    if (!uses_gradient(params_)) return;
     gradient(executor_, params_.gradient, b_.depth.view(), b_.gx.view(), b_.gy.view());
   }
 
@@ -162,10 +164,9 @@ class PipelineBody {
     inverse_depth(executor_, b_.depth.view(), b_.inverse_depth.view());
     edge_distance(executor_, b_.depth.view(), b_.depth_edge.view(), params_.cd.radius_px + 1,
                   b_.distance.view(), b_.mask_a.view());
-    const NormalViews<float> normal{b_.scratch_a.view(), b_.scratch_b.view(), b_.scratch_c.view()};
-    fit_normals(executor_, params_.cd.radius_px, camera_, b_.inverse_depth.view(), b_.distance.view(),
-                normal);
-    normal_change(executor_, params_.cd, normal, b_.distance.view(), b_.strength.view(), b_.direction.view());
+    const NormalViews<float> scratch{b_.scratch_a.view(), b_.scratch_b.view(), b_.scratch_c.view()};
+    crease_by_normals(executor_, params_.cd, camera_, b_.inverse_depth.view(), b_.distance.view(), scratch,
+                      b_.strength.view(), b_.direction.view());
   }
 
   void trace_creases() {  // section 4.2.1

@@ -135,9 +135,34 @@ struct WienerApplyOp {
   }
 };
 
-template <class Executor, int radius, bool detrend>
-void window_statistics(Executor& executor, const WienerStatisticsOp<radius, detrend>& op) {
-  executor.for_each_pixel(op.depth_m.size(), op);
+/// work(radius, detrend) with the parameters' values as constants.
+template <class Work>
+void with_window(const WienerParams& params, const Work& work) {
+  const auto with_radius = [&](auto radius) {
+    if (params.detrend)
+      work(radius, std::true_type{});
+    else
+      work(radius, std::false_type{});
+  };
+  switch (params.window_px / 2) {
+    case 1:
+      return with_radius(std::integral_constant<int, 1>{});
+    case 2:
+      return with_radius(std::integral_constant<int, 2>{});
+    default:
+      return with_radius(std::integral_constant<int, 3>{});
+  }
+}
+
+/// Mean of the known variances, 0 where there is none.
+template <class Executor>
+float mean_variance_m2(Executor& executor, ImageView<const float> variance_m2) {
+  const Size size = variance_m2.size();
+  const std::int64_t count = executor.sum_pixels(size, WienerVarianceCount{variance_m2});
+  if (count == 0) return 0;
+  const std::int64_t sum = executor.sum_pixels(size, WienerVarianceSum{variance_m2});
+  return static_cast<float>(static_cast<double>(sum) / static_cast<double>(count) /
+                            WienerVarianceSum::units_per_m2);
 }
 
 /// Adaptive Wiener filter over valid pixels (paper eq. 2; Lim 1990, eqs 9.44-9.46). `mean_m` and
@@ -147,33 +172,13 @@ void wiener(Executor& executor, const WienerParams& params, const DepthNoise& se
             ImageView<const float> depth_m, ImageView<float> mean_m, ImageView<float> variance_m2,
             ImageView<float> out) {
   const Size size = depth_m.size();
-  const auto statistics = [&](auto radius) {
-    if (params.detrend)
-      window_statistics(executor, WienerStatisticsOp<radius(), true>{depth_m, mean_m, variance_m2});
-    else
-      window_statistics(executor, WienerStatisticsOp<radius(), false>{depth_m, mean_m, variance_m2});
-  };
-  switch (params.window_px / 2) {
-    case 1:
-      statistics(std::integral_constant<int, 1>{});
-      break;
-    case 2:
-      statistics(std::integral_constant<int, 2>{});
-      break;
-    default:
-      statistics(std::integral_constant<int, 3>{});
-      break;
-  }
-  float noise_m2 = 0;
-  if (params.noise == WienerNoise::mean) {
-    const std::int64_t count = executor.sum_pixels(size, WienerVarianceCount{variance_m2});
-    const std::int64_t sum = executor.sum_pixels(size, WienerVarianceSum{variance_m2});
-    if (count > 0)
-      noise_m2 = static_cast<float>(static_cast<double>(sum) / static_cast<double>(count) /
-                                    WienerVarianceSum::units_per_m2);
-  }
-  executor.for_each_pixel(size, WienerApplyOp{depth_m, mean_m, variance_m2, params.gain,
-                                              params.noise == WienerNoise::sensor, sensor, noise_m2, out});
+  with_window(params, [&](auto radius, auto detrend) {
+    executor.for_each_pixel(size, WienerStatisticsOp<radius(), detrend()>{depth_m, mean_m, variance_m2});
+  });
+  const bool use_sensor = params.noise == WienerNoise::sensor;
+  const float noise_m2 = use_sensor ? 0.0f : mean_variance_m2(executor, variance_m2);
+  executor.for_each_pixel(
+      size, WienerApplyOp{depth_m, mean_m, variance_m2, params.gain, use_sensor, sensor, noise_m2, out});
 }
 
 }  // namespace facet

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "pipeline/gradient_use.hpp"
 #include "pipeline/params_fields.hpp"
 
 namespace facet {
@@ -16,9 +17,7 @@ std::string always(const P&) {
   return {};
 }
 std::string needs_gradient(const P& p) {
-  const bool used = p.dd.mode == DepthEdgeMode::canny || p.cd.mode != CreaseMode::normals ||
-                    p.edge_kind.convexity == Convexity::hessian;
-  return used ? std::string() : "no step uses the gradient";
+  return uses_gradient(p) ? std::string() : "no step uses the gradient";
 }
 std::string needs_temporal(const P& p) {
   return needs(p.temporal.enabled, "the temporal average");

@@ -33,10 +33,24 @@ PixelBox box_of(const Polyline& line) {
   return box;
 }
 
-bool has_hole_around(const Surface& surface, ContourPoint p) {
-  for (const Polyline& hole : surface.contour.holes) {
-    const PixelBox box = box_of(hole);
-    if (p.x > box.x0 && p.x < box.x1 && p.y > box.y0 && p.y < box.y1 && encloses(hole, p)) return true;
+/// The boxes around the holes of every surface, in order; each surface's begin at its own index.
+struct HoleBoxes {
+  std::vector<PixelBox> boxes;
+  std::vector<std::size_t> begin;
+
+  explicit HoleBoxes(const std::vector<Surface>& surfaces) {
+    for (const Surface& surface : surfaces) {
+      begin.push_back(boxes.size());
+      for (const Polyline& hole : surface.contour.holes) boxes.push_back(box_of(hole));
+    }
+  }
+};
+
+bool has_hole_around(const Surface& surface, const PixelBox* boxes, ContourPoint p) {
+  for (std::size_t i = 0; i < surface.contour.holes.size(); ++i) {
+    const PixelBox& box = boxes[i];
+    if (p.x > box.x0 && p.x < box.x1 && p.y > box.y0 && p.y < box.y1 && encloses(surface.contour.holes[i], p))
+      return true;
   }
   return false;
 }
@@ -59,11 +73,14 @@ void find_parents(ImageView<const std::uint16_t> labels, std::vector<Surface>& s
   std::sort(order.begin(), order.end(), [&](const Surface* a, const Surface* b) {
     return std::pair(first(a).y, first(a).x) < std::pair(first(b).y, first(b).x);
   });
+  const HoleBoxes holes(surfaces);
   for (Surface* surface : order) {
     const int left = label_to_the_left(labels, first(surface));
     if (left == 0 || left == surface->id) continue;
-    const Surface& neighbour = surfaces[static_cast<std::size_t>(left) - 1];
-    surface->parent = has_hole_around(neighbour, first(surface)) ? neighbour.id : neighbour.parent;
+    const auto index = static_cast<std::size_t>(left) - 1;
+    const Surface& neighbour = surfaces[index];
+    const bool inside = has_hole_around(neighbour, holes.boxes.data() + holes.begin[index], first(surface));
+    surface->parent = inside ? neighbour.id : neighbour.parent;
   }
 }
 

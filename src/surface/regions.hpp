@@ -35,10 +35,11 @@ class RegionNumbering {
   };
   void collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
                ImageView<const std::uint8_t> filled);
+  void write_labels(ImageView<std::uint16_t> labels) const;
 
   std::vector<RegionStatistics> components_;
   std::vector<Run> runs_;
-  std::vector<std::int32_t> component_at_;  ///< by raster index of the first pixel
+  std::vector<std::int32_t> component_at_;  ///< by raster index of the first pixel, set there alone
   std::vector<std::uint16_t> label_;
 };
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/angle.hpp"
+#include "core/run.hpp"
 #include "surface/plane_frame.hpp"
 
 namespace facet {
@@ -137,14 +138,22 @@ void Support::relabel(const SupportInput& input) {
       }
     return parts;
   };
-  for (int y = 0; y < labels.height; ++y)
-    for (int x = 0; x < labels.width; ++x) {
-      const auto kind = edge_kind_of(input.edges(x, y));
-      if ((kind == EdgeKind::convex || kind == EdgeKind::concave) && parts_only_support(x, y))
-        input.edges(x, y) = 0;
+  for (int y = 0; y < labels.height; ++y) {
+    std::uint8_t* edges = input.edges.row(y);
+    const auto next_edge = [&](int x) { return end_of_run<std::uint8_t>(edges, x, labels.width, 0); };
+    for (int x = next_edge(0); x < labels.width; x = next_edge(x + 1)) {
+      const auto kind = edge_kind_of(edges[x]);
+      if ((kind == EdgeKind::convex || kind == EdgeKind::concave) && parts_only_support(x, y)) edges[x] = 0;
     }
-  for (int y = 0; y < labels.height; ++y)
-    for (int x = 0; x < labels.width; ++x) labels(x, y) = new_label_[labels(x, y)];
+  }
+  for (int y = 0; y < labels.height; ++y) {
+    std::uint16_t* row = labels.row(y);
+    for (int begin = 0, end = 0; begin < labels.width; begin = end) {
+      end = end_of_run(row, begin, labels.width, row[begin]);
+      if (const std::uint16_t label = new_label_[row[begin]]; label != row[begin])
+        std::fill(row + begin, row + end, label);
+    }
+  }
 }
 
 }  // namespace facet

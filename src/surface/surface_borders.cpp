@@ -1,6 +1,7 @@
 #include "surface/surface_borders.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/edge_code.hpp"
 
@@ -25,6 +26,23 @@ EdgeKind kind_between(ImageView<const std::uint8_t> edges, int x0, int y0, int x
   for (const EdgeKind kind : {EdgeKind::depth, EdgeKind::convex, EdgeKind::concave})
     if (has(kind)) return kind;
   return EdgeKind::none;
+}
+
+/// visit(x) for every x < count at which two rows differ, from left to right; looks at four at a time.
+template <class Visit>
+void for_each_difference(const std::uint16_t* a, const std::uint16_t* b, int count, const Visit& visit) {
+  constexpr int step = sizeof(std::uint64_t) / sizeof *a;
+  int x = 0;
+  for (; x + step <= count; x += step) {
+    std::uint64_t word_a, word_b;
+    std::memcpy(&word_a, a + x, sizeof word_a);
+    std::memcpy(&word_b, b + x, sizeof word_b);
+    if (word_a == word_b) continue;
+    for (int i = x; i < x + step; ++i)
+      if (a[i] != b[i]) visit(i);
+  }
+  for (; x < count; ++x)
+    if (a[x] != b[x]) visit(x);
 }
 
 }  // namespace
@@ -65,12 +83,9 @@ void SurfaceBorders::collect(ImageView<const std::uint16_t> labels, ImageView<co
   };
   for (int y = 0; y < labels.height; ++y) {
     const std::uint16_t* row = labels.row(y);
-    for (int x = 0; x + 1 < labels.width; ++x)
-      if (row[x] != row[x + 1]) add_pair(x, y, x + 1, y);
+    for_each_difference(row, row + 1, labels.width - 1, [&](int x) { add_pair(x, y, x + 1, y); });
     if (y + 1 == labels.height) break;
-    const std::uint16_t* below = labels.row(y + 1);
-    for (int x = 0; x < labels.width; ++x)
-      if (row[x] != below[x]) add_pair(x, y, x, y + 1);
+    for_each_difference(row, labels.row(y + 1), labels.width, [&](int x) { add_pair(x, y, x, y + 1); });
   }
 }
 

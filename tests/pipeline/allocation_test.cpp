@@ -5,10 +5,10 @@
 #include <new>
 
 #include "cpu/executor.hpp"
+#include "cpu/tuned/crease_by_normals.hpp"
 #include "cpu/tuned/fill_missing.hpp"
 #include "cpu/tuned/hysteresis.hpp"
 #include "cpu/tuned/labelling.hpp"
-#include "cpu/tuned/normals.hpp"
 #include "cpu/tuned/pruning.hpp"
 #include "cpu/tuned/thinning.hpp"
 #include "pipeline/modes.hpp"

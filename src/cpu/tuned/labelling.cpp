@@ -75,14 +75,15 @@ void label_components(CpuExecutor& executor, ImageView<const float> depth_m,
   std::vector<int>& name = scratch.names;
   name.resize(static_cast<std::size_t>(runs.count()));
   for (int y = 0; y < root.height; ++y) {
-    std::fill_n(root.row(y), root.width, -1);
+    std::int32_t* at = root.row(y);
     for (int r = row_starts[static_cast<std::size_t>(y)]; r < row_starts[static_cast<std::size_t>(y) + 1];
          ++r) {
       const int first = runs.find(r);
       if (first == r) name[static_cast<std::size_t>(r)] = y * root.width + runs.begin(r);
-      std::fill(root.row(y) + runs.begin(r), root.row(y) + runs.end(r),
-                name[static_cast<std::size_t>(first)]);
+      at = std::fill_n(at, root.row(y) + runs.begin(r) - at, -1);
+      at = std::fill_n(at, runs.end(r) - runs.begin(r), name[static_cast<std::size_t>(first)]);
     }
+    std::fill_n(at, root.row(y) + root.width - at, -1);
   }
 }
 

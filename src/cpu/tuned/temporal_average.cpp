@@ -1,74 +1,56 @@
 #include "cpu/tuned/temporal_average.hpp"
 
 #include <array>
-#include <cstring>
 
 #include "core/clones.hpp"
 
 namespace facet {
 namespace {
 
-/// Eight pixels side by side; comparisons give -1 where they hold.
-using Float8 = float __attribute__((vector_size(32)));
-using Int8 = int __attribute__((vector_size(32)));
-constexpr int lanes = 8;
 /// Longer windows take the plain operation: more readings than this do not fit the registers, and the code
 /// for them is slow to compile.
 constexpr int most_frames = 8;
 
-/// Readings that are missing sort behind all others.
+/// Readings that are missing sort behind all others and lie within no tolerance.
 constexpr float missing = 1e30f;
 
 /// The readings of a row, a pointer for each frame.
 using Rows = std::array<const float*, most_frames>;
 
-/// TemporalAverageOp for the eight pixels from x on. Unrolled for the number of frames, so that the readings
-/// stay in registers.
+/// TemporalAverageOp for a row. Unrolled for the number of frames, so that the readings stay in registers.
 template <int count, TemporalMode mode>
-[[gnu::always_inline]] inline void average_eight(const Rows& rows, int x, const DepthNoise& noise,
-                                                 float* out) {
-  Float8 z[count];
-  Int8 valid{};
-#pragma GCC unroll 8
-  for (int i = 0; i < count; ++i) {
-    Float8 reading;
-    std::memcpy(&reading, rows[static_cast<std::size_t>(i)] + x, sizeof reading);
-    z[i] = reading > 0 ? reading : Float8{} + missing;
-    valid -= reading > 0;
-  }
-  Float8 centre{}, tolerance = Float8{} + missing;
-  if constexpr (mode == TemporalMode::robust) {
-#pragma GCC unroll 8
-    for (int i = 1; i < count; ++i)
-#pragma GCC unroll 8
-      for (int k = i; k > 0; --k) {
-        const Float8 a = z[k - 1], b = z[k];
+FACET_CPU_CLONES void average_row(const Rows& shared_rows, int width, const DepthNoise& shared_noise,
+                                  float* out) {
+  const Rows rows = shared_rows;
+  const DepthNoise noise = shared_noise;
+#pragma GCC ivdep
+  for (int x = 0; x < width; ++x) {
+    float z[count], valid = 0;
+    FACET_UNROLL for (int i = 0; i < count; ++i) {
+      const float reading = rows[static_cast<std::size_t>(i)][x];
+      z[i] = reading > 0 ? reading : missing;
+      valid += reading > 0 ? 1.0f : 0.0f;
+    }
+    float centre = 0, tolerance = missing / 2;
+    if constexpr (mode == TemporalMode::robust) {
+      FACET_UNROLL for (int i = 1; i < count; ++i) FACET_UNROLL for (int k = i; k > 0; --k) {
+        const float a = z[k - 1], b = z[k];
         z[k - 1] = a < b ? a : b;
         z[k] = a < b ? b : a;
       }
-#pragma GCC unroll 8
-    for (int i = 0; i < count; ++i) centre = ((valid > 0) & (valid >> 1 == i)) ? z[i] : centre;
-    const Float8 beyond = centre - noise.z0_m;  // as DepthNoise::sigma_m
-    tolerance = 3 * (noise.a_m + noise.b_per_m * beyond * beyond);
+      FACET_UNROLL for (int i = 0; i < count; ++i) centre =
+          valid >= static_cast<float>(2 * i) ? z[i] : centre;
+      tolerance = 3 * noise.sigma_m(centre);
+    }
+    float sum = 0, kept = 0;
+    FACET_UNROLL for (int i = 0; i < count; ++i) {
+      const float d = z[i] - centre, distance = d < 0 ? -d : d;
+      sum += distance <= tolerance ? z[i] : 0.0f;
+      kept += distance <= tolerance ? 1.0f : 0.0f;
+    }
+    const float mean = sum / kept;
+    out[x] = valid > 0 ? mean : 0.0f;
   }
-  Float8 sum{};
-  Int8 kept{};
-#pragma GCC unroll 8
-  for (int i = 0; i < count; ++i) {
-    const Float8 d = z[i] - centre;
-    const Int8 keep = (z[i] < missing) & (d <= tolerance) & (d >= -tolerance);
-    sum += keep ? z[i] : Float8{};
-    kept -= keep;
-  }
-  const Float8 mean = kept > 0 ? sum / __builtin_convertvector(kept, Float8) : Float8{};
-  std::memcpy(out + x, &mean, sizeof mean);
-}
-
-template <int count, TemporalMode mode>
-FACET_CPU_CLONES void average_row(const Rows& rows, int width, const DepthNoise& noise, float* out) {
-  int x = 0;
-  for (; x + lanes <= width; x += lanes) average_eight<count, mode>(rows, x, noise, out);
-  if (x < width) average_eight<count, mode>(rows, width - lanes, noise, out);  // some a second time
 }
 
 template <int count = 1>
@@ -86,7 +68,7 @@ void temporal_average(CpuExecutor& executor, const TemporalParams& params, const
                       const TemporalHistory<CpuExecutor>& history, ImageView<float> out) {
   TemporalAverageOp op{history.count(), params.mode, noise, out, {}};
   for (int i = 0; i < history.count(); ++i) op.frames[i] = history.frame(i);
-  if (out.width < lanes || op.count > most_frames) return executor.for_each_pixel(out.size(), op);
+  if (op.count > most_frames) return executor.for_each_pixel(out.size(), op);
   executor.for_each_row(out.height, [&](int y) {
     Rows rows{};
     for (int i = 0; i < op.count; ++i) rows[static_cast<std::size_t>(i)] = op.frames[i].row(y);

@@ -1,7 +1,6 @@
 #include "cpu/tuned/wiener.hpp"
 
 #include <gtest/gtest.h>
-#include <tuple>
 
 #include "support/awkward_frames.hpp"
 #include "support/every_executor.hpp"
@@ -9,25 +8,25 @@
 namespace facet {
 namespace {
 
-template <int radius, bool detrend>
-void expect_same_statistics(const Image<float>& depth) {
+void expect_same(const WienerParams& params, const Image<float>& depth) {
   expect_same_on_every_executor([&](auto& executor) {
-    Image<float> mean(depth.size(), 7.0f), variance(depth.size(), 7.0f);
-    window_statistics(executor,
-                      WienerStatisticsOp<radius, detrend>{depth.view(), mean.view(), variance.view()});
-    return std::make_tuple(std::move(mean), std::move(variance));
+    Image<float> mean(depth.size(), 7.0f), variance(depth.size(), 7.0f), out(depth.size(), 7.0f);
+    wiener(executor, params, kinect_v1_noise(), depth.view(), mean.view(), variance.view(), out.view());
+    return out;
   });
 }
 
-TEST(TunedWiener, GivesWhatThePlainStatisticsGiveToTheBit) {
+TEST(TunedWiener, GivesWhatThePlainFilterGivesToTheBit) {
   for_each_awkward_depth([](const Image<float>& depth) {
-    expect_same_statistics<1, false>(depth);
-    expect_same_statistics<2, true>(depth);
-    if (depth.width() > 100) return;  // the shuffled grid is slow
-    expect_same_statistics<1, true>(depth);
-    expect_same_statistics<2, false>(depth);
-    expect_same_statistics<3, false>(depth);
-    expect_same_statistics<3, true>(depth);
+    for (const WienerNoise noise : {WienerNoise::sensor, WienerNoise::mean}) {
+      expect_same({true, WienerGain::paper, noise, 3, false}, depth);
+      expect_same({true, WienerGain::lim, noise, 5, true}, depth);
+      if (depth.width() > 100) continue;  // the shuffled grid is slow
+      expect_same({true, WienerGain::lim, noise, 3, true}, depth);
+      expect_same({true, WienerGain::paper, noise, 5, false}, depth);
+      expect_same({true, WienerGain::paper, noise, 7, false}, depth);
+      expect_same({true, WienerGain::lim, noise, 7, true}, depth);
+    }
   });
 }
 
