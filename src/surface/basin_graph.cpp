@@ -35,11 +35,13 @@ float BasinBorder::strength() const {
   return known < min_known_pairs ? unknown_strength : sum / static_cast<float>(known);
 }
 
-void BasinGraph::build(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count) {
+void BasinGraph::build(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count,
+                       std::vector<BasinContact>& contacts) {
   collect_moments(landscape, basin, count);
   sets_.reset(count);
-  collect_contacts(landscape, basin);
-  collect_borders(landscape);
+  sort_(contacts, count, [](const BasinContact& c) { return c.b; });
+  sort_(contacts, count, [](const BasinContact& c) { return c.a; });
+  collect_borders(landscape, contacts);
   list_borders();
 }
 
@@ -58,31 +60,10 @@ FACET_CPU_CLONES void BasinGraph::collect_moments(const BasinLandscape& l,
     }
 }
 
-/// Sorts by a number of the contacts; equal ones keep their order.
-void BasinGraph::sort_contacts(int Contact::*key) {
-  place_.assign(moments_.size() + 1, 0);
-  for (const Contact& c : contacts_) ++place_[static_cast<std::size_t>(c.*key) + 1];
-  for (std::size_t i = 1; i < place_.size(); ++i) place_[i] += place_[i - 1];
-  sorted_.resize(contacts_.size());
-  for (const Contact& c : contacts_)
-    sorted_[static_cast<std::size_t>(place_[static_cast<std::size_t>(c.*key)]++)] = c;
-  contacts_.swap(sorted_);
-}
-
-void BasinGraph::collect_contacts(const BasinLandscape& l, ImageView<const std::int32_t> basin) {
-  contacts_.clear();
-  for_each_contact(basin, [&](int a, int b, int x, int y, bool down) {
-    const int place = 2 * (y * basin.width + x) + (down ? 1 : 0);
-    contacts_.push_back({std::min(a, b), std::max(a, b), place, l.strength_across(x, y, down)});
-  });
-  sort_contacts(&Contact::b);
-  sort_contacts(&Contact::a);
-}
-
 /// A border from its contacts, in order.
-BasinBorder BasinGraph::border_of(const BasinLandscape& l, std::span<const Contact> contacts) {
+BasinBorder BasinGraph::border_of(const BasinLandscape& l, std::span<const BasinContact> contacts) {
   BasinBorder border{contacts[0].a, contacts[0].b, static_cast<int>(contacts.size())};
-  for (const Contact& c : contacts)
+  for (const BasinContact& c : contacts)
     if (c.strength < unknown_strength) border.sum += c.strength, ++border.known;
   const int points = std::min(border.length, Seam::most_points);
   for (int k = 0; k < points; ++k) {
@@ -95,9 +76,8 @@ BasinBorder BasinGraph::border_of(const BasinLandscape& l, std::span<const Conta
   return border;
 }
 
-void BasinGraph::collect_borders(const BasinLandscape& landscape) {
+void BasinGraph::collect_borders(const BasinLandscape& landscape, std::span<const BasinContact> all) {
   borders_.clear();
-  const std::span<const Contact> all = contacts_;
   for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
     while (end < all.size() && all[end].a == all[begin].a && all[end].b == all[begin].b) ++end;
     borders_.push_back(border_of(landscape, all.subspan(begin, end - begin)));

@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/counting_sort.hpp"
 #include "core/disjoint_sets.hpp"
+#include "surface/basin_contacts.hpp"
 #include "surface/basin_landscape.hpp"
 #include "surface/patch_fit.hpp"
 #include "surface/patch_seam.hpp"
@@ -27,8 +29,9 @@ struct BasinBorder {
 /// one border between any two regions that touch.
 class BasinGraph {
  public:
-  /// `basin`: numbers below `count`, -1 = none.
-  void build(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count);
+  /// `basin`: numbers below `count`, -1 = none; `contacts`: all between them, which are sorted.
+  void build(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count,
+             std::vector<BasinContact>& contacts);
   /// Makes one region of two. Returns the borders that went from one to the other or grew; valid until the
   /// next call.
   std::span<const int> join(int a, int b);
@@ -57,16 +60,9 @@ class BasinGraph {
   const std::vector<BasinBorder>& borders() const { return borders_; }
 
  private:
-  struct Contact {
-    int a, b;
-    int place;  ///< raster index, twice, plus the direction
-    float strength;
-  };
   void collect_moments(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count);
-  void collect_contacts(const BasinLandscape& landscape, ImageView<const std::int32_t> basin);
-  void sort_contacts(int Contact::*key);
-  void collect_borders(const BasinLandscape& landscape);
-  static BasinBorder border_of(const BasinLandscape& landscape, std::span<const Contact> contacts);
+  void collect_borders(const BasinLandscape& landscape, std::span<const BasinContact> contacts);
+  static BasinBorder border_of(const BasinLandscape& landscape, std::span<const BasinContact> contacts);
   void list_borders();
   int neighbour_across(int border_index, int region);
   int border_between(int a, int b);
@@ -79,8 +75,7 @@ class BasinGraph {
   std::vector<int> next_;          ///< side by side, -1 = none
   std::vector<int> degree_;        ///< by region, at least its number of borders
   std::vector<int> touched_;
-  std::vector<Contact> contacts_, sorted_;  ///< pairs of neighbours in different basins
-  std::vector<int> place_;                  ///< in the sorted contacts, by basin
+  CountingSort<BasinContact> sort_;
 };
 
 }  // namespace facet

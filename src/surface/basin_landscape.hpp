@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "core/camera.hpp"
-#include "core/changes.hpp"
 #include "core/image_view.hpp"
 
 namespace facet {
@@ -27,21 +26,6 @@ struct BasinLandscape {
   float known_strength(int x, int y) const {
     return distance_px(x, y) > guard_px ? strength(x, y) : unknown_strength;
   }
-  /// That between a pixel and its right or lower neighbour: of the stronger one.
-  float strength_across(int x, int y, bool down) const {
-    const float here = known_strength(x, y), there = known_strength(down ? x : x + 1, down ? y + 1 : y);
-    return here > there ? here : there;
-  }
 };
-
-/// Calls visit(a, b, x, y, down) for every two 4-neighbours in different regions, a and b, in raster order:
-/// (x, y) is in a, b lies below it or to its right.
-template <class Visit>
-void for_each_contact(ImageView<const std::int32_t> region, const Visit& visit) {
-  for_each_change(region, [&](int x, int y, bool down) {
-    const std::int32_t a = region(x, y), b = region(down ? x : x + 1, down ? y + 1 : y);
-    if (a >= 0 && b >= 0) visit(a, b, x, y, down);
-  });
-}
 
 }  // namespace facet

@@ -107,9 +107,11 @@ void BasinMerging::merge(const BasinLandscape& landscape, const MergeParams& par
   noise_ = noise;
   focal_px_ = static_cast<double>(landscape.camera.fx);
   const double px = double{noise.pixels_per_reading};
-  const int count =
-      shallow_.join(landscape, {min_readings * px, blind_readings * px, double{params.step_ratio}}, region);
-  graph_.build(landscape, std::as_const(region).view(), count);
+  const int count = shallow_.join(
+      landscape,
+      {min_readings * px, blind_readings * px, double{params.step_ratio}, double{params.fit_sigmas}, noise},
+      region, contacts_);
+  graph_.build(landscape, std::as_const(region).view(), count, contacts_);
   fits_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) fits_[static_cast<std::size_t>(i)] = fitted(graph_.moments(i));
   judgements_.assign(graph_.borders().size(), {});

@@ -48,6 +48,7 @@ class BasinMerging {
   bool join_alike(float most_strength);
 
   ShallowBasins shallow_;
+  std::vector<BasinContact> contacts_;
   BasinGraph graph_;
   BorderCompetition competition_;
   std::vector<PatchFit> fits_;          ///< by region

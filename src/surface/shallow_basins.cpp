@@ -1,13 +1,26 @@
 #include "surface/shallow_basins.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "core/run.hpp"
 
 namespace facet {
+namespace {
+
+/// Step of depth across a contact, over the largest one within a surface: what is tolerated, noise, or a step
+/// of the fixed point.
+double step_at(const BasinLandscape& l, int place, const ShallowLimits& limits) {
+  const int x = place / 2 % l.basin.width, y = place / 2 / l.basin.width;
+  const bool down = place % 2 != 0;
+  const double here = l.q(x, y), there = down ? l.q(x, y + 1) : l.q(x + 1, y);
+  const double noise = double{limits.noise.sigma_m(static_cast<float>(1 / here))} * here;
+  const double most = std::max({limits.step_ratio, limits.step_sigmas * noise, l.inverse_depth_unit / here});
+  return std::abs(here - there) / (here * most);
+}
+
+}  // namespace
 
 void ShallowBasins::number_basins(const BasinLandscape& l, ImageView<std::int32_t> region) {
   basins_.clear();
@@ -47,34 +60,26 @@ bool ShallowBasins::may_join(const Pass& pass) const {
   return pass.height < unknown_strength ? is_shallow(pass, a, b) : are_blind(a, b);
 }
 
-/// Those between basins that may be joined. Joined basins are larger and their bottom is no higher, so that
-/// the others cannot become candidates later.
-void ShallowBasins::collect_passes(const BasinLandscape& l, ImageView<const std::int32_t> region) {
-  const double most_px = std::max(limits_.most_px, limits_.most_blind_px);
+/// Those between basins that may be joined, lowest first. Joined basins are larger and their bottom is no
+/// higher, so that the others cannot become candidates later.
+void ShallowBasins::collect_passes(const BasinLandscape& l, std::span<const BasinContact> contacts) {
   passes_.clear();
-  for_each_contact(region, [&](int a, int b, int x, int y, bool down) {
-    if (std::min(basin(a).count_px, basin(b).count_px) > most_px) return;
-    Pass pass{l.strength_across(x, y, down), std::min(a, b), std::max(a, b)};
-    if (!may_join(pass)) return;
-    if (pass.height >= unknown_strength) {
-      const double here = l.q(x, y), there = down ? l.q(x, y + 1) : l.q(x + 1, y);
-      const double step = std::abs(here - there) / std::min(here, there);
-      if (step > limits_.step_ratio) return;
-      pass.height += static_cast<float>(step);
-    }
+  for (const auto& [a, b, place, strength] : contacts) {
+    Pass pass{strength, a, b};
+    if (!may_join(pass)) continue;
+    const double step = step_at(l, place, limits_);
+    if (step > 1) continue;
+    if (strength >= unknown_strength) pass.height += static_cast<float>(step);
     passes_.push_back(pass);
-  });
-  // The bits of floats that are not negative sort as the floats do.
-  order_.resize(passes_.size());
-  for (std::size_t i = 0; i < passes_.size(); ++i)
-    order_[i] = std::uint64_t{std::bit_cast<std::uint32_t>(passes_[i].height)} << 32 | i;
-  std::sort(order_.begin(), order_.end());
+  }
+  constexpr float levels_per_chord = 4096;  // a hundredth of a degree
+  constexpr int levels = static_cast<int>(levels_per_chord * (unknown_strength + 1)) + 1;
+  sort_(passes_, levels, [](const Pass& pass) { return static_cast<int>(levels_per_chord * pass.height); });
 }
 
 void ShallowBasins::join_passes() {
   sets_.reset(static_cast<int>(basins_.size()));
-  for (const std::uint64_t key : order_) {
-    const Pass& pass = passes_[key & 0xffffffff];
+  for (const Pass& pass : passes_) {
     const int a = sets_.find(pass.a), b = sets_.find(pass.b);
     if (a == b || !may_join({pass.height, a, b})) continue;
     sets_.join(a, b);
@@ -96,15 +101,28 @@ int ShallowBasins::number_regions(ImageView<std::int32_t> region) {
   return count;
 }
 
+void ShallowBasins::number_contacts(std::vector<BasinContact>& contacts) const {
+  std::size_t kept = 0;
+  for (const auto& [a, b, place, strength] : contacts) {
+    const auto [first, second] =
+        std::minmax(number_[static_cast<std::size_t>(a)], number_[static_cast<std::size_t>(b)]);
+    if (first != second) contacts[kept++] = {first, second, place, strength};
+  }
+  contacts.resize(kept);
+}
+
 int ShallowBasins::join(const BasinLandscape& landscape, const ShallowLimits& limits,
-                        Image<std::int32_t>& region) {
+                        Image<std::int32_t>& region, std::vector<BasinContact>& contacts) {
   limits_ = limits;
   floor_ = landscape.floor;
   region.resize(landscape.basin.size());
   number_basins(landscape, region.view());
-  collect_passes(landscape, std::as_const(region).view());
+  collect_contacts(landscape, std::as_const(region).view(), contacts);
+  collect_passes(landscape, contacts);
   join_passes();
-  return number_regions(region.view());
+  const int count = number_regions(region.view());
+  number_contacts(contacts);
+  return count;
 }
 
 }  // namespace facet

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/counting_sort.hpp"
+#include "core/depth_noise.hpp"
 #include "core/disjoint_sets.hpp"
 #include "core/image.hpp"
-#include "surface/basin_landscape.hpp"
+#include "surface/basin_contacts.hpp"
 
 namespace facet {
 
@@ -14,7 +17,10 @@ struct ShallowLimits {
   double most_px = 0;  ///< basins of more pixels are not shallow
   /// Basins whose strength is known nowhere join each other while they have no more pixels together.
   double most_blind_px = 0;
-  double step_ratio = 0;  ///< and not across a larger step of depth, relative to it [m/m]
+  /// None join across a larger step of depth, relative to it [m/m], that is more than noise.
+  double step_ratio = 0;
+  double step_sigmas = 0;  ///< deviations of a reading that a step of noise may have
+  DepthNoise noise{};
 };
 
 /// Joins basins that say nothing by themselves: small ones no deeper than noise to the neighbour across their
@@ -22,9 +28,10 @@ struct ShallowLimits {
 class ShallowBasins {
  public:
   /// A basin is as deep as its lowest pass is above its bottom (its topographic dynamics); noise is
-  /// landscape.floor deep. `region` receives numbers from 0 on in the order of their first pixels, -1 = none;
-  /// returns how many.
-  int join(const BasinLandscape& landscape, const ShallowLimits& limits, Image<std::int32_t>& region);
+  /// landscape.floor deep. `region` receives numbers from 0 on in the order of their first pixels, -1 = none,
+  /// and `contacts` all between those; returns how many there are.
+  int join(const BasinLandscape& landscape, const ShallowLimits& limits, Image<std::int32_t>& region,
+           std::vector<BasinContact>& contacts);
 
  private:
   struct Basin {
@@ -32,16 +39,17 @@ class ShallowBasins {
     float bottom = 0;  ///< strength there; unknown_strength where it is known nowhere
   };
   struct Pass {
-    float height;  ///< strength; above unknown_strength by the step of depth between two blind basins
+    float height;  ///< strength; above unknown_strength by the share of the largest step between blind basins
     int a, b;
   };
   void number_basins(const BasinLandscape& landscape, ImageView<std::int32_t> region);
   bool is_shallow(const Pass& pass, const Basin& a, const Basin& b) const;
   bool are_blind(const Basin& a, const Basin& b) const;
   bool may_join(const Pass& pass) const;
-  void collect_passes(const BasinLandscape& landscape, ImageView<const std::int32_t> region);
+  void collect_passes(const BasinLandscape& landscape, std::span<const BasinContact> contacts);
   void join_passes();
   int number_regions(ImageView<std::int32_t> region);
+  void number_contacts(std::vector<BasinContact>& contacts) const;
 
   Basin& basin(int i) { return basins_[static_cast<std::size_t>(i)]; }
   const Basin& basin(int i) const { return basins_[static_cast<std::size_t>(i)]; }
@@ -50,7 +58,7 @@ class ShallowBasins {
   float floor_ = 0;
   std::vector<Basin> basins_;
   std::vector<Pass> passes_;
-  std::vector<std::uint64_t> order_;  ///< of the passes: height, then index
+  CountingSort<Pass> sort_;
   std::vector<std::int32_t> number_;  ///< of a basin by raster index of its name; then of a region by basin
   DisjointSets sets_;
 };

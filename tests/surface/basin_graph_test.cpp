@@ -11,6 +11,15 @@ namespace {
 
 constexpr Size size{12, 6};
 
+/// The graph of the landscape's basins as they are.
+BasinGraph graph_of(const BasinLandscape& landscape, int count) {
+  std::vector<BasinContact> contacts;
+  collect_contacts(landscape, landscape.basin, contacts);
+  BasinGraph graph;
+  graph.build(landscape, landscape.basin, count, contacts);
+  return graph;
+}
+
 /// Three basins side by side, each 4 px wide.
 struct Columns {
   Image<std::int32_t> basin{size}, inverse_depth{size, 1000};
@@ -21,11 +30,9 @@ struct Columns {
       for (int x = 0; x < size.width; ++x) basin(x, y) = x / 4;
   }
   BasinGraph graph(int count = 3) const {
-    BasinGraph graph;
-    graph.build({basin.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3, 0,
-                 Camera{100, 100, 0, 0}},
-                basin.view(), count);
-    return graph;
+    return graph_of({basin.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3, 0,
+                     Camera{100, 100, 0, 0}},
+                    count);
   }
 };
 
@@ -103,10 +110,9 @@ TEST(BasinGraph, ThePointsOfALongBorderAreSpreadOverIt) {
     for (int x = 0; x < tall.width; ++x) basin(x, y) = x >= 2 ? 1 : y < 40 ? 0 : 2;
   const Image<float> strength(tall, 0.25f);
   const Image<std::uint8_t> distance(tall, 9);
-  BasinGraph graph;
-  graph.build({basin.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3, 0,
-               Camera{100, 100, 0, 0}},
-              basin.view(), 3);
+  BasinGraph graph = graph_of({basin.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3,
+                               0, Camera{100, 100, 0, 0}},
+                              3);
   graph.join(0, 2);
   ASSERT_EQ(borders_of(graph, 0).size(), 1u);
   const Seam& seam = graph.border(borders_of(graph, 0)[0]).seam;

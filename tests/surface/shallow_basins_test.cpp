@@ -1,12 +1,18 @@
 #include "surface/shallow_basins.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace facet {
 namespace {
 
 constexpr Size size{24, 5};
 constexpr float floor_strength = 0.1f;
+
+bool are_equal(const BasinContact& l, const BasinContact& r) {
+  return l.a == r.a && l.b == r.b && l.place == r.place && l.strength == r.strength;
+}
 
 /// Three basins side by side, each 8 px wide, named by their first pixel; strength 0.2 inside, and a pass at
 /// column 7 and at column 15.
@@ -22,10 +28,13 @@ struct Columns {
   }
   Image<std::int32_t> joined(const ShallowLimits& limits, int expected_count) const {
     Image<std::int32_t> region;
-    EXPECT_EQ(ShallowBasins().join({basin.view(), inverse_depth.view(), 0.001, strength.view(),
-                                    distance.view(), 3, floor_strength, Camera{100, 100, 0, 0}},
-                                   limits, region),
-              expected_count);
+    std::vector<BasinContact> contacts, expected;
+    const BasinLandscape landscape{basin.view(),    inverse_depth.view(),  0.001,
+                                   strength.view(), distance.view(),       3,
+                                   floor_strength,  Camera{100, 100, 0, 0}};
+    EXPECT_EQ(ShallowBasins().join(landscape, limits, region, contacts), expected_count);
+    collect_contacts(landscape, std::as_const(region).view(), expected);
+    EXPECT_TRUE(std::equal(contacts.begin(), contacts.end(), expected.begin(), expected.end(), are_equal));
     return region;
   }
 };
@@ -35,6 +44,17 @@ TEST(ShallowBasins, JoinAcrossAPassThatIsLowerThanNoise) {
   EXPECT_EQ(region(0, 0), 0);
   EXPECT_EQ(region(15, 4), 0);
   EXPECT_EQ(region(16, 2), 1);
+}
+
+TEST(ShallowBasins, StayApartAcrossAStepThatIsMoreThanNoise) {
+  Columns columns(0.25f, 0.25f);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < 8; ++x) columns.inverse_depth(x, y) = 1012;
+  const Image<std::int32_t> region = columns.joined({40, 0, 0.005, 3}, 2);
+  EXPECT_NE(region(0, 0), region(8, 0));
+  EXPECT_EQ(region(8, 0), region(16, 0));
+  columns.joined({40, 0, 0.02, 0}, 1);
+  columns.joined({40, 0, 0.005, 7}, 1);  // deviations of 0.19 %
 }
 
 TEST(ShallowBasins, StayApartWhereBothAreLarge) {
