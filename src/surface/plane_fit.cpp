@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/clones.hpp"
 #include "core/random.hpp"
 #include "surface/pose.hpp"
 
@@ -20,7 +21,7 @@ std::optional<Plane> plane_through(Vec3 a, Vec3 b, Vec3 c) {
   return Plane{unit, -dot(unit, a)};
 }
 
-int count_inliers(const PointSample& points, const Plane& plane, float threshold_m) {
+FACET_CPU_CLONES int count_inliers(const PointSample& points, const Plane& plane, float threshold_m) {
   const std::size_t n = points.size();
   const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
   const float nx = plane.normal.x, ny = plane.normal.y, nz = plane.normal.z, d = plane.d_m;
@@ -67,7 +68,8 @@ std::optional<Plane> best_hypothesis(const PointSample& points, const PoseParams
 struct Moments {
   double n = 0, x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };
-Moments moments_near(const PointSample& points, const Plane& plane, float threshold_m, Vec3 origin) {
+FACET_CPU_CLONES Moments moments_near(const PointSample& points, const Plane& plane, float threshold_m,
+                                      Vec3 origin) {
   constexpr std::size_t lanes = 4;
   double sums[10][lanes] = {};
   const auto add = [&](std::size_t i, std::size_t lane) {
