@@ -163,8 +163,8 @@ def main():
 `scripts/performance.py` writes this page again: {commits[0]} (before) and {commits[1]} (after) in {options.rounds} rounds in turn, each the
 median of 64 frames of 640x480, one core of an {cpu}. Before and after are
 multiples of the calibration block of the same run ({base.of('calibration'):.2f} and {new.of('calibration'):.2f} ms; fixed OpenCV operations). Ratio is after by
-before in time, of the medians and of the least times, which other work on the machine moves less. Floor: the bytes of the images that the stage reads and writes, each counted once per
-pass, over the {copy / 1e9:.1f} GB/s at which an image of that size is copied here (read and write together). Instructions:
+before in time, of the medians and of the least times, which other work on the machine moves less. Floor: the bytes of the images
+that the stage reads and writes, each counted once per pass, over the {copy / 1e9:.1f} GB/s at which an image of that size is copied here (read and write together). Instructions:
 callgrind, one frame, which sees AVX2 at most. Load of the machine when the rounds began: {load:.1f} (0 = idle).
 
 {mode_section('default', base, new, instructions, copy)}
