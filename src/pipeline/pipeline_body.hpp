@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/buffers.hpp"
+#include "pipeline/crease_by_normals.hpp"
 #include "pipeline/gradient_use.hpp"
 #include "pipeline/number_regions.hpp"
 #include "pipeline/params.hpp"
@@ -12,7 +13,6 @@
 #include "pipeline/stage_range.hpp"
 #include "pipeline/temporal_window.hpp"
 #include "stage/basins.hpp"
-#include "stage/crease_by_normals.hpp"
 #include "stage/edge_distance.hpp"
 #include "stage/hysteresis.hpp"
 #include "stage/labelling.hpp"

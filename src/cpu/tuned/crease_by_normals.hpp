@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cpu/executor.hpp"
-#include "stage/crease_by_normals.hpp"
+#include "pipeline/crease_by_normals.hpp"
 
 namespace facet {
 
