@@ -102,6 +102,13 @@ class StreamExecutor {
     if ((static_cast<int>(images.ask_for_copy(work_, queue_)) + ...) > 0) queue_.finish();
   }
 
+  /// work(i, worker) for i = 0 ... count - 1, on the host; see CpuExecutor.
+  template <class Work>
+  void share_out(int count, const Work& work) {
+    for (int i = 0; i < count; ++i) work(i, 0);
+  }
+  int workers() const { return 1; }
+
   /// Flag that operations of an iterated pass raise when they changed something.
   int* changed_flag() {
     passes_.begin();

@@ -36,9 +36,11 @@ void to_bytes(std::uint64_t bits, std::uint8_t* bytes) {
   std::memcpy(bytes, &word, sizeof word);
 }
 
-FACET_CPU_CLONES void dilate_row(const std::uint64_t* above, const std::uint64_t* row,
-                                 const std::uint64_t* below, int words, std::uint64_t* out) {
-  for (int k = 0; k < words; ++k) {
+FACET_CPU_CLONES void dilate_words(const std::uint64_t* row, std::ptrdiff_t pitch, std::ptrdiff_t count,
+                                   std::uint64_t* out) {
+  const std::uint64_t *above = row - pitch, *below = row + pitch;
+#pragma GCC ivdep
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
     const std::uint64_t left = above[k - 1] | row[k - 1] | below[k - 1];
     const std::uint64_t middle = above[k] | row[k] | below[k];
     const std::uint64_t right = above[k + 1] | row[k + 1] | below[k + 1];
@@ -47,18 +49,17 @@ FACET_CPU_CLONES void dilate_row(const std::uint64_t* above, const std::uint64_t
 }
 
 template <class Combine>
-void combine(BitMask& mask, const BitMask& other, const Combine& combined) {
-  for (int y = 0; y < mask.size().height; ++y)
-    for (int k = 0; k < mask.words(); ++k) mask.row(y)[k] = combined(mask.row(y)[k], other.row(y)[k]);
+void combine(BitMask& mask, const BitMask& other, int first, int behind, const Combine& combined) {
+  std::uint64_t* to = mask.row(first) - 1;
+  const std::uint64_t* from = other.row(first) - 1;
+  const std::ptrdiff_t count = (behind - first) * mask.pitch();
+  for (std::ptrdiff_t k = 0; k < count; ++k) to[k] = combined(to[k], from[k]);
 }
 
 void complement(BitMask& mask) {
-  const int last = mask.words() - 1;
-  for (int y = 0; y < mask.size().height; ++y) {
-    std::uint64_t* row = mask.row(y);
-    for (int k = 0; k <= last; ++k) row[k] = ~row[k];
-    row[last] &= mask.last_word();
-  }
+  for (int y = 0; y < mask.size().height; ++y)
+    for (int k = 0; k < mask.words(); ++k) mask.row(y)[k] = ~mask.row(y)[k];
+  mask.clear_around(0, mask.size().height);
 }
 
 }  // namespace
@@ -90,6 +91,14 @@ void BitMask::write(ImageView<std::uint8_t> mask) const {
   }
 }
 
+void BitMask::clear_around(int first, int behind) {
+  for (int y = first; y < behind; ++y) {
+    std::uint64_t* words_of_row = row(y);
+    words_of_row[-1] = words_of_row[words()] = 0;
+    if (words() > 0) words_of_row[words() - 1] &= last_word();
+  }
+}
+
 void BitMask::swap(BitMask& other) noexcept {
   std::swap(size_, other.size_);
   std::swap(pitch_, other.pitch_);
@@ -98,12 +107,10 @@ void BitMask::swap(BitMask& other) noexcept {
 
 void dilate_square(int steps, BitMask& mask, BitMask& spare) {
   spare.resize(mask.size());
-  const int words = mask.words();
+  const int height = mask.size().height;
   for (int i = 0; i < steps; ++i) {
-    for (int y = 0; y < mask.size().height; ++y) {
-      dilate_row(mask.row(y - 1), mask.row(y), mask.row(y + 1), words, spare.row(y));
-      spare.row(y)[words - 1] &= mask.last_word();
-    }
+    dilate_words(mask.row(0) - 1, mask.pitch(), height * mask.pitch(), spare.row(0) - 1);
+    spare.clear_around(0, height);
     mask.swap(spare);
   }
 }
@@ -114,14 +121,17 @@ void erode_square(int steps, BitMask& mask, BitMask& spare) {
   complement(mask);
 }
 
+void subtract(BitMask& mask, const BitMask& other, int first, int behind) {
+  combine(mask, other, first, behind, [](std::uint64_t a, std::uint64_t b) { return a & ~b; });
+}
 void subtract(BitMask& mask, const BitMask& other) {
-  combine(mask, other, [](std::uint64_t a, std::uint64_t b) { return a & ~b; });
+  subtract(mask, other, 0, mask.size().height);
 }
 void intersect(BitMask& mask, const BitMask& other) {
-  combine(mask, other, [](std::uint64_t a, std::uint64_t b) { return a & b; });
+  combine(mask, other, 0, mask.size().height, [](std::uint64_t a, std::uint64_t b) { return a & b; });
 }
 void unite(BitMask& mask, const BitMask& other) {
-  combine(mask, other, [](std::uint64_t a, std::uint64_t b) { return a | b; });
+  combine(mask, other, 0, mask.size().height, [](std::uint64_t a, std::uint64_t b) { return a | b; });
 }
 
 }  // namespace facet

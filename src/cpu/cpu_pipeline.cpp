@@ -5,6 +5,7 @@
 #include "cpu/tuned/crease_by_normals.hpp"
 #include "cpu/tuned/depth_jumps.hpp"
 #include "cpu/tuned/edge_distance.hpp"
+#include "cpu/tuned/edge_kind.hpp"
 #include "cpu/tuned/fill_missing.hpp"
 #include "cpu/tuned/hysteresis.hpp"
 #include "cpu/tuned/labelling.hpp"

@@ -45,6 +45,15 @@ class CpuExecutor {
     });
   }
 
+  template <class Op>
+  void for_each_set(const BitMask& mask, const Op& op) {
+    const Size size = mask.size();
+    for_each_band(size.height, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y)
+        for_each_set_in_row(mask, y, [&](int x) { run_pixel(op, size, x, y); });
+    });
+  }
+
   /// work(y) for every row; for tuned stages.
   template <class Work>
   void for_each_row(int rows, const Work& work) {
@@ -53,18 +62,28 @@ class CpuExecutor {
     });
   }
 
-  /// band(begin, end) for as many bands of rows as there are threads; for tuned stages that keep rows at
-  /// hand.
+  /// band(begin, end) for bands of rows, a few for each thread, so that one that begins late has less to do;
+  /// for tuned stages that keep rows at hand.
   template <class Band>
   void for_each_band(int rows, const Band& band) {
+    if (threads_ == 1) return band(0, rows);
+    const int bands = 4 * threads_;
+    share_out(bands, [&](int i, int) { band(rows * i / bands, rows * (i + 1) / bands); });
+  }
+
+  /// work(i, worker) for i = 0 ... count - 1, on the host, shared among the threads; `worker`, less than
+  /// workers(), tells apart what may run at the same time.
+  template <class Work>
+  void share_out(int count, const Work& work) {
     if (threads_ == 1) {
-      band(0, rows);
+      for (int i = 0; i < count; ++i) work(i, 0);
       return;
     }
     arena_.execute([&] {
-      tbb::parallel_for(0, threads_, [&](int i) { band(rows * i / threads_, rows * (i + 1) / threads_); });
+      tbb::parallel_for(0, count, [&](int i) { work(i, tbb::this_task_arena::current_thread_index()); });
     });
   }
+  int workers() const { return threads_; }
 
   /// Sum over all pixels of the integer op(x, y): exact, so the order does not matter.
   template <class Op>
@@ -143,14 +162,16 @@ class CpuExecutor {
 
   template <class Op>
   static void run_set_row(const Op& op, ImageView<std::uint8_t> mask, int y) {
+    for_each_set_in_row(mask.row(y), mask.width, [&](int x) { run_pixel(op, mask.size(), x, y); });
+  }
+
+  template <class Op>
+  [[gnu::always_inline]] static void run_pixel(const Op& op, Size size, int x, int y) {
     const int r = op.radius;
-    const bool inside = y >= r && y < mask.height - r;
-    for_each_set_in_row(mask.row(y), mask.width, [&](int x) {
-      if (inside && x >= r && x < mask.width - r)
-        op(x, y, InteriorAccess{});
-      else
-        op(x, y, GuardedAccess{});
-    });
+    if (x >= r && y >= r && x < size.width - r && y < size.height - r)
+      op(x, y, InteriorAccess{});
+    else
+      op(x, y, GuardedAccess{});
   }
 
   int threads_;

@@ -6,6 +6,7 @@
 
 #include "core/disjoint_sets.hpp"
 #include "cpu/bit_mask.hpp"
+#include "cpu/due_blocks.hpp"
 #include "cpu/fill_grid.hpp"
 
 namespace facet {
@@ -15,7 +16,8 @@ struct CpuScratch {
   std::vector<int> list_a, list_b, list_c, row_starts, names;
   DisjointSets sets;
   std::array<BitMask, 4> bits;
-  std::vector<std::uint8_t> row, rows_due, rows_due_next;
+  std::vector<std::uint8_t> row, rows_due;
+  DueBlocks due_blocks;
   FillGrid fill_grid;
   std::vector<float> values;
 };

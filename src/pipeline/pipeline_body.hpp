@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "pipeline/buffers.hpp"
 #include "pipeline/crease_by_normals.hpp"
@@ -269,15 +270,29 @@ class PipelineBody {
   void estimate_poses(FrameResult& result) {  // section 4.2.4
     if (!params_.pose.enabled) return;
     const PoseInput input{executor_.on_host(b_.depth), result.labels.view(), camera_, noise_, seed_};
-    for (std::size_t i = 0; i < result.surfaces.size(); ++i)
-      estimate_pose(input, params_.pose, pixels_.points[i], result.surfaces[i]);
+    for_each_surface(result, [&](Surface& surface, std::size_t i, int) {
+      estimate_pose(input, params_.pose, pixels_.points[i], surface);
+    });
   }
 
   void find_grasps(FrameResult& result) {  // section 5: a graspable surface has a planar force-closure grasp
     if (!params_.grasp.enabled) return;
     const GraspInput input{
         executor_.on_host(b_.depth), result.labels.view(), result.edges.view(), camera_, noise_, seed_};
-    for (Surface& surface : result.surfaces) grasps_.find(input, params_.grasp, surface);
+    grasps_.resize(static_cast<std::size_t>(executor_.workers()));
+    for_each_surface(result, [&](Surface& surface, std::size_t, int worker) {
+      grasps_[static_cast<std::size_t>(worker)].find(input, params_.grasp, surface);
+    });
+  }
+
+  /// work(surface, index, worker), shared among the executor's workers: what is done to one surface depends
+  /// on no other.
+  template <class Work>
+  void for_each_surface(FrameResult& result, const Work& work) {
+    executor_.share_out(static_cast<int>(result.surfaces.size()), [&](int i, int worker) {
+      const auto index = static_cast<std::size_t>(i);
+      work(result.surfaces[index], index, worker);
+    });
   }
 
   void group_objects(FrameResult& result) {  // the paper's future work
@@ -299,7 +314,7 @@ class PipelineBody {
   BasinMerging merging_;
   RegionNumbering numbering_;
   RegionPixels pixels_;
-  GraspFinder grasps_;
+  std::vector<GraspFinder> grasps_;  ///< by worker
   Support support_;
   ObjectGrouping objects_;
 };

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/angle.hpp"
+#include "surface/outline_hull.hpp"
 
 namespace facet {
 namespace {
@@ -99,8 +100,7 @@ SurfacePose pose_on_plane(const Plane& plane, Vec3 centre_m) {
 
 Vec3 rectangle_axis(const Polyline& outer, const Plane& plane, const Camera& camera) {
   std::vector<cv::Point> points;
-  points.reserve(outer.size());
-  for (const ContourPoint& p : outer) points.emplace_back(p.x, p.y);
+  for (const ContourPoint& p : convex_corners(outer)) points.emplace_back(p.x, p.y);
   cv::Point2f corner[4];
   cv::minAreaRect(points).points(corner);
   const Vec3 a = on_plane(plane, camera, corner[0].x, corner[0].y);

@@ -65,6 +65,14 @@ class ShuffledGridExecutor {
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) image(x, y) = value;
   }
+  /// work(i, worker) for i = 0 ... count - 1, on the host, in any order.
+  template <class Work>
+  void share_out(int count, const Work& work) {
+    shuffle(count);
+    const std::vector<int> order = order_;
+    for (const int i : order) work(i, 0);
+  }
+  int workers() const { return 1; }
   int* changed_flag() { return &changed_; }
   bool take_changed() {
     const bool changed = changed_ != 0;

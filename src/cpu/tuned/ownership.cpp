@@ -1,5 +1,7 @@
 #include "cpu/tuned/ownership.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/clones.hpp"
@@ -28,16 +30,40 @@ void list_front(CpuScratch& scratch, ImageView<const std::uint16_t> label, Image
   for_each_set(beside, [&](int x, int y) { front.push_back(listed(x, y)); });
 }
 
+/// Lists the open neighbours of those pixels of the front that were given to a surface. Inside the image
+/// without branches, which would be guessed wrong: whatever is looked at is written, and counted or not.
+std::span<const int> list_open_beside(std::span<const int> front, ImageView<const std::uint16_t> choice,
+                                      ImageView<std::uint8_t> open, std::vector<int>& list) {
+  list.resize(std::max(list.size(), 8 * front.size() + 1));
+  int* end = list.data();
+  const auto look_at = [&](int x, int y) {
+    std::uint8_t& state = open(x, y);
+    *end = listed(x, y);
+    end += state == 1;
+    state = state == 1 ? waiting : state;
+  };
+  for (const int i : front) {
+    const int x = x_of(i), y = y_of(i);
+    if (choice(x, y) == 0) continue;
+    const bool inside = x > 0 && y > 0 && x < open.width - 1 && y < open.height - 1;
+    FACET_UNROLL for (int k = 0; k < 8; ++k) {
+      const int nx = x + neighbour8(k).dx, ny = y + neighbour8(k).dy;
+      if (inside || open.size().contains(nx, ny)) look_at(nx, ny);
+    }
+  }
+  return {list.data(), end};
+}
+
 }  // namespace
 
 void give_back_pixels(CpuExecutor& executor, float jump_ratio, float noise_sigmas, const DepthNoise& noise,
                       ImageView<const float> depth_m, ImageView<std::uint16_t> label,
                       ImageView<std::uint8_t> open, ImageView<std::uint16_t> choice) {
-  std::vector<int>&front = executor.scratch().list_a, &next = executor.scratch().list_b;
+  std::vector<int>&list = executor.scratch().list_a, &next = executor.scratch().list_b;
   executor.for_each_pixel(label.size(), UnownedOp{depth_m, label, open});
-  list_front(executor.scratch(), label, open, front);
+  list_front(executor.scratch(), label, open, list);
   const ChooseOwnerOp choose{depth_m, label, jump_ratio, noise_sigmas, noise, choice};
-  while (!front.empty()) {
+  for (std::span<const int> front = list; !front.empty(); std::swap(list, next)) {
     for (const int i : front) {
       const int x = x_of(i), y = y_of(i);
       if (x > 0 && y > 0 && x < label.width - 1 && y < label.height - 1)
@@ -45,21 +71,12 @@ void give_back_pixels(CpuExecutor& executor, float jump_ratio, float noise_sigma
       else
         choose(x, y, GuardedAccess{});
     }
-    next.clear();
     for (const int i : front) {
       const int x = x_of(i), y = y_of(i);
       label(x, y) = choice(x, y);
       open(x, y) = choice(x, y) == 0;
     }
-    for (const int i : front) {
-      if (choice(x_of(i), y_of(i)) == 0) continue;
-      for_each_set_neighbour(open, i, [&](int x, int y) {
-        if (open(x, y) == waiting) return;
-        open(x, y) = waiting;
-        next.push_back(listed(x, y));
-      });
-    }
-    std::swap(front, next);
+    front = list_open_beside(front, choice, open, next);
   }
 }
 

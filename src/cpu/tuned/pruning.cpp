@@ -1,51 +1,45 @@
 #include "cpu/tuned/pruning.hpp"
 
-#include <algorithm>
+#include <limits>
 
 #include "core/clones.hpp"
 
 namespace facet {
 namespace {
 
-/// A row of a mask with those above and below it.
-struct ThreeRows {
-  const std::uint64_t *above, *row, *below;
-  ThreeRows(const BitMask& mask, int y) : above(mask.row(y - 1)), row(mask.row(y)), below(mask.row(y + 1)) {}
-};
-
 FACET_CPU_CLONES void mark_measured(const float* depth_m, int width, std::uint8_t* measured) {
   for (int x = 0; x < width; ++x) measured[x] = depth_m[x] > 0;
 }
 
-/// The open ends of a row; returns the words of all of them together. What is not measured is a wall.
-FACET_CPU_CLONES std::uint64_t find_open_ends(const ThreeRows& line, const ThreeRows& measured, int words,
+/// Finds the open ends from a word of the lines on; returns their words all together. What is not measured is
+/// a wall.
+FACET_CPU_CLONES std::uint64_t find_open_ends(const std::uint64_t* line, const std::uint64_t* measured,
+                                              std::ptrdiff_t pitch, std::ptrdiff_t count,
                                               std::uint64_t* ends) {
   std::uint64_t any = 0;
-  for (int k = 0; k < words; ++k) {
-    const auto neighbours = neighbours_of(line.above + k, line.row + k, line.below + k);
-    auto walls = neighbours_of(measured.above + k, measured.row + k, measured.below + k);
-    for (int i = 0; i < 8; ++i) walls.p[i] = ~walls.p[i] | neighbours.p[i];
-    ends[k] = line.row[k] & is_open_end(neighbours, walls);
+#pragma GCC ivdep
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const auto neighbours = neighbours_of(line - pitch + k, line + k, line + pitch + k);
+    auto walls = neighbours_of(measured - pitch + k, measured + k, measured + pitch + k);
+    FACET_UNROLL for (int i = 0; i < 8; ++i) walls.p[i] = ~walls.p[i] | neighbours.p[i];
+    ends[k] = line[k] & is_open_end(neighbours, walls);
     any |= ends[k];
   }
   return any;
 }
+bool find_open_ends(const BitMask& line, const BitMask& measured, int first, int behind, BitMask& ends) {
+  return find_open_ends(line.row(first) - 1, measured.row(first) - 1, line.pitch(),
+                        (behind - first) * line.pitch(), ends.row(first) - 1) != 0;
+}
 
-/// Marks the open ends of the rows that are due, and sets which rows are due next: those beside an end.
-bool find_open_ends(const BitMask& line, const BitMask& measured, std::vector<std::uint8_t>& due,
-                    std::vector<std::uint8_t>& next, BitMask& ends) {
-  bool any = false;
-  next.assign(due.size(), 0);
-  for (int y = 0; y < line.size().height; ++y) {
-    const auto row = static_cast<std::size_t>(y) + 1;  // a row more on either side
-    if (!due[row]) {
-      std::fill_n(ends.row(y), line.words(), std::uint64_t{0});
-    } else if (find_open_ends({line, y}, {measured, y}, line.words(), ends.row(y))) {
-      next[row - 1] = next[row] = next[row + 1] = 1;
-      any = true;
-    }
-  }
-  return any;
+/// Removes open ends `passes` times, or until there are none.
+void remove_open_ends(int passes, const BitMask& measured, DueBlocks& due, BitMask& line, BitMask& ends) {
+  const auto find = [&](int first, int behind) {
+    return find_open_ends(line, measured, first, behind, ends);
+  };
+  const auto remove = [&](int first, int behind) { subtract(line, ends, first, behind); };
+  for (int pass = 0; pass < passes; ++pass)
+    if (!due.pass(0, find, remove)) break;
 }
 
 }  // namespace
@@ -61,17 +55,12 @@ void prune(CpuExecutor& executor, const PruningParams& params, ImageView<const f
   });
   ends.resize(line.size());
   original = line;
-  std::vector<std::uint8_t>&due = scratch.rows_due, &next = scratch.rows_due_next;
-  due.assign(static_cast<std::size_t>(edge.height) + 2, 1);
+  scratch.due_blocks.reset(edge.height);
   const bool to_stability = params.mode == PruningMode::stability;
-  for (int pass = 0; to_stability || pass < params.iterations; ++pass) {
-    if (!find_open_ends(line, measured, due, next, ends)) break;
-    subtract(line, ends);
-    due.swap(next);
-  }
+  remove_open_ends(to_stability ? std::numeric_limits<int>::max() : params.iterations, measured,
+                   scratch.due_blocks, line, ends);
   if (!to_stability) {  // grow the ends that are left back along the original
-    due.assign(due.size(), 1);
-    find_open_ends(line, measured, due, next, ends);
+    find_open_ends(line, measured, 0, edge.height, ends);
     BitMask& spare = measured;
     for (int i = 0; i < params.iterations; ++i) {
       dilate_square(1, ends, spare);

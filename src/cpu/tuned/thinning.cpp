@@ -6,39 +6,41 @@
 namespace facet {
 namespace {
 
-/// One sub-iteration on a row; returns the pixels deleted, of all words together.
+/// Finds the pixels that one sub-iteration deletes, from `row` on; returns their words all together.
 template <int half>
-FACET_CPU_CLONES std::uint64_t thin_row(const std::uint64_t* above, const std::uint64_t* row,
-                                        const std::uint64_t* below, int words, std::uint64_t* out) {
-  std::uint64_t deleted = 0;
-  for (int k = 0; k < words; ++k) {
-    const std::uint64_t doomed =
-        row[k] & guo_hall_deletes(neighbours_of(above + k, row + k, below + k), half);
-    out[k] = row[k] & ~doomed;
-    deleted |= doomed;
+FACET_CPU_CLONES std::uint64_t find_doomed(const std::uint64_t* row, std::ptrdiff_t pitch,
+                                           std::ptrdiff_t count, std::uint64_t* doomed) {
+  std::uint64_t any = 0;
+#pragma GCC ivdep
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    doomed[k] = row[k] & guo_hall_deletes(neighbours_of(row - pitch + k, row + k, row + pitch + k), half);
+    any |= doomed[k];
   }
-  return deleted;
+  return any;
 }
 
 template <int half>
-bool thin_once(BitMask& mask, BitMask& spare) {
-  std::uint64_t deleted = 0;
-  for (int y = 0; y < mask.size().height; ++y)
-    deleted |= thin_row<half>(mask.row(y - 1), mask.row(y), mask.row(y + 1), mask.words(), spare.row(y));
-  mask.swap(spare);
-  return deleted != 0;
+bool thin_once(BitMask& mask, DueBlocks& due, BitMask& doomed) {
+  const auto find = [&](int first, int behind) {
+    return find_doomed<half>(mask.row(first) - 1, mask.pitch(), (behind - first) * mask.pitch(),
+                             doomed.row(first) - 1) != 0;
+  };
+  const auto remove = [&](int first, int behind) { subtract(mask, doomed, first, behind); };
+  return due.pass(half, find, remove);
 }
 
 }  // namespace
 
 void thin(CpuExecutor& executor, ImageView<std::uint8_t> edge, ImageView<std::uint8_t>) {
-  BitMask &mask = executor.scratch().bits[0], &spare = executor.scratch().bits[1];
+  CpuScratch& scratch = executor.scratch();
+  BitMask &mask = scratch.bits[0], &doomed = scratch.bits[1];
   mask.assign(edge);
-  spare.resize(mask.size());
+  doomed.resize(mask.size());
+  scratch.due_blocks.reset(edge.height);
   bool changed = true;
   while (changed) {
-    changed = thin_once<0>(mask, spare);
-    changed |= thin_once<1>(mask, spare);
+    changed = thin_once<0>(mask, scratch.due_blocks, doomed);
+    changed |= thin_once<1>(mask, scratch.due_blocks, doomed);
   }
   mask.write(edge);
 }

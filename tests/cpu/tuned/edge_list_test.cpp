@@ -18,18 +18,5 @@ TEST(EdgeList, HoldsTheSetPixelsInRasterOrder) {
   });
 }
 
-TEST(EdgeList, VisitsEverySetNeighbourOnce) {
-  const Mask mask = random_mask({33, 9}, 2, 0.5f);
-  for (int i = 0; i < 33 * 9; ++i) {
-    Mask visits(mask.size());
-    for_each_set_neighbour(mask.view(), listed(i % 33, i / 33), [&](int x, int y) { ++visits(x, y); });
-    for (int y = 0; y < 9; ++y)
-      for (int x = 0; x < 33; ++x) {
-        const int dx = std::abs(x - i % 33), dy = std::abs(y - i / 33);
-        EXPECT_EQ(visits(x, y), mask(x, y) && std::max(dx, dy) == 1 ? 1 : 0);
-      }
-  }
-}
-
 }  // namespace
 }  // namespace facet
