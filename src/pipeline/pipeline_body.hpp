@@ -254,7 +254,7 @@ class PipelineBody {
     if (!joins_support()) collect_pixels(result, static_cast<int>(result.surfaces.size()));
     // The holes of the edge map are the regions as they were before edge pixels were given back.
     if (params_.contours.mode == ContourMode::edge_map)
-      trace_edge_map(executor_.on_host(b_.edge), numbered_.view(), result.surfaces);
+      trace_edge_map(edge_borders_, executor_.on_host(b_.edge), numbered_.view(), result.surfaces);
     else
       trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
   }
@@ -314,6 +314,7 @@ class PipelineBody {
   BasinMerging merging_;
   RegionNumbering numbering_;
   RegionPixels pixels_;
+  EdgeBorders edge_borders_;
   std::vector<GraspFinder> grasps_;  ///< by worker
   Support support_;
   ObjectGrouping objects_;

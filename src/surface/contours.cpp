@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <span>
 #include <utility>
 
 namespace facet {
@@ -129,39 +130,27 @@ void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<Pixe
   list_children(surfaces);
 }
 
-void trace_edge_map(ImageView<const std::uint8_t> edge, ImageView<const std::uint16_t> labels,
-                    std::vector<Surface>& surfaces) {
-  const cv::Mat map(edge.height, edge.width, CV_8U, const_cast<std::uint8_t*>(edge.data),
-                    static_cast<std::size_t>(edge.stride));
-  std::vector<std::vector<cv::Point>> lines;
-  std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(map, lines, hierarchy, cv::RETR_TREE, cv::CHAIN_APPROX_NONE);
-
-  // In the tree outer borders of edge components and borders of their holes take turns. A hole border starts
-  // at the edge pixel left of the hole's first pixel (Suzuki and Abe), so the label one to the right owns it.
-  const auto is_hole = [&](std::size_t i) {
-    int depth = 0;
-    for (int p = parent_of(hierarchy[i]); p >= 0; p = parent_of(hierarchy[static_cast<std::size_t>(p)]))
-      ++depth;
-    return depth % 2 == 1;
+void trace_edge_map(EdgeBorders& edge_borders, ImageView<const std::uint8_t> edge,
+                    ImageView<const std::uint16_t> labels, std::vector<Surface>& surfaces) {
+  edge_borders.follow(edge);
+  const std::span<const EdgeBorder> borders = edge_borders.borders();
+  const auto label_in = [&](int border) -> int {  // at the hole's first pixel, 0 where it is no surface
+    if (border < 0 || !borders[static_cast<std::size_t>(border)].is_hole) return 0;
+    const ContourPoint start = borders[static_cast<std::size_t>(border)].start;
+    return labels(start.x + 1, start.y);
   };
-  std::vector<int> label_of_line(lines.size(), 0);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!is_hole(i)) continue;
-    const cv::Point start = lines[i].front();
-    if (start.x + 1 < labels.width) label_of_line[i] = labels(start.x + 1, start.y);
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const int parent = parent_of(hierarchy[i]);
-    if (const int label = label_of_line[i]; label > 0) {
-      Surface& surface = surfaces[static_cast<std::size_t>(label) - 1];
-      if (lines[i].size() > surface.contour.outer.size()) surface.contour.outer = to_polyline(lines[i]);
-      const int grandparent = parent >= 0 ? parent_of(hierarchy[static_cast<std::size_t>(parent)]) : -1;
-      if (grandparent >= 0) surface.parent = label_of_line[static_cast<std::size_t>(grandparent)];
-    } else if (parent >= 0 && label_of_line[static_cast<std::size_t>(parent)] > 0) {
-      const int around = label_of_line[static_cast<std::size_t>(parent)];
-      surfaces[static_cast<std::size_t>(around) - 1].contour.holes.push_back(to_polyline(lines[i]));
+  for (std::size_t i = borders.size(); i-- > 0;) {
+    const EdgeBorder& border = borders[i];
+    const int owner = border.is_hole ? label_in(static_cast<int>(i)) : label_in(border.parent);
+    if (owner == 0) continue;
+    Surface& surface = surfaces[static_cast<std::size_t>(owner) - 1];
+    const std::span<const ContourPoint> points = edge_borders.points(border);
+    if (!border.is_hole) {
+      surface.contour.holes.emplace_back(points.begin(), points.end());
+      continue;
     }
+    surface.contour.outer.assign(points.begin(), points.end());
+    surface.parent = label_in(borders[static_cast<std::size_t>(border.parent)].parent);
   }
   list_children(surfaces);
 }

@@ -24,7 +24,8 @@ EdgeMap edge_map(std::vector<std::string> rows) {
 
 std::vector<Surface> traced(const EdgeMap& map) {
   std::vector<Surface> surfaces = numbered_surfaces(largest_label(map.labels));
-  trace_edge_map(map.edge.view(), map.labels.view(), surfaces);
+  EdgeBorders edge_borders;
+  trace_edge_map(edge_borders, map.edge.view(), map.labels.view(), surfaces);
   return surfaces;
 }
 
