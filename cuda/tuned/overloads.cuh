@@ -20,6 +20,7 @@ template <class Kernels>
 int number_regions(StreamExecutor<Kernels>& executor, Buffers<StreamExecutor<Kernels>>& b,
                    const PipelineParams& params, const Camera& camera, RegionNumbering& numbering,
                    Image<std::uint16_t>& numbered, std::vector<RejectedRegion>& rejected) {
+  label_components(executor, b.depth.view(), b.edge.view(), b.root.view());
   int count = 0;
   executor.scratch().regions.number(executor, b.root.view(), b.depth.view(), b.filled.view(), b.label.view(),
                                     [&](std::span<const RegionStatistics> components) {

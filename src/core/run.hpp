@@ -24,4 +24,16 @@ int end_of_run(const T* row, int from, int width, T value) {
   return x;
 }
 
+/// How many of the ones and zeros between the ends are ones; eight at a time.
+inline int count_ones(const std::uint8_t* begin, const std::uint8_t* end) {
+  int count = 0;
+  for (; end - begin >= 8; begin += 8) {
+    std::uint64_t word;
+    std::memcpy(&word, begin, sizeof word);
+    if (word != 0) count += static_cast<int>(word * 0x0101010101010101u >> 56);
+  }
+  for (; begin != end; ++begin) count += *begin;
+  return count;
+}
+
 }  // namespace facet

@@ -10,6 +10,7 @@
 #include "cpu/tuned/hysteresis.hpp"
 #include "cpu/tuned/labelling.hpp"
 #include "cpu/tuned/morphology.hpp"
+#include "cpu/tuned/number_regions.hpp"
 #include "cpu/tuned/ownership.hpp"
 #include "cpu/tuned/pruning.hpp"
 #include "cpu/tuned/relocate.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstring>
@@ -75,7 +76,7 @@ class CpuExecutor {
   /// workers(), tells apart what may run at the same time.
   template <class Work>
   void share_out(int count, const Work& work) {
-    if (threads_ == 1) {
+    if (threads_ == 1 || count == 1) {
       for (int i = 0; i < count; ++i) work(i, 0);
       return;
     }
@@ -84,6 +85,27 @@ class CpuExecutor {
     });
   }
   int workers() const { return threads_; }
+
+  /// part(i, begin, end) for consecutive parts of `count` things, at most one for each worker and none of
+  /// less than `least`, which would not be worth it.
+  template <class Part>
+  void for_each_part(std::size_t count, std::size_t least, const Part& part) {
+    const std::size_t parts = std::clamp<std::size_t>(count / least, 1, static_cast<std::size_t>(threads_));
+    share_out(static_cast<int>(parts), [&](int index, int) {
+      const auto i = static_cast<std::size_t>(index);
+      part(i, count * i / parts, count * (i + 1) / parts);
+    });
+  }
+
+  /// op(x, y, access) for one pixel.
+  template <class Op>
+  [[gnu::always_inline]] static void run_pixel(const Op& op, Size size, int x, int y) {
+    const int r = op.radius;
+    if (x >= r && y >= r && x < size.width - r && y < size.height - r)
+      op(x, y, InteriorAccess{});
+    else
+      op(x, y, GuardedAccess{});
+  }
 
   /// Sum over all pixels of the integer op(x, y): exact, so the order does not matter.
   template <class Op>
@@ -163,15 +185,6 @@ class CpuExecutor {
   template <class Op>
   static void run_set_row(const Op& op, ImageView<std::uint8_t> mask, int y) {
     for_each_set_in_row(mask.row(y), mask.width, [&](int x) { run_pixel(op, mask.size(), x, y); });
-  }
-
-  template <class Op>
-  [[gnu::always_inline]] static void run_pixel(const Op& op, Size size, int x, int y) {
-    const int r = op.radius;
-    if (x >= r && y >= r && x < size.width - r && y < size.height - r)
-      op(x, y, InteriorAccess{});
-    else
-      op(x, y, GuardedAccess{});
   }
 
   int threads_;

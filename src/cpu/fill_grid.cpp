@@ -65,10 +65,6 @@ void FillGrid::resize(Size size) {
     for (int i = 0; i < 8; ++i)
       offsets_[static_cast<std::size_t>(i)] = neighbour8(i).dy * pitch + neighbour8(i).dx;
     source_.assign(count, 0);
-    mean_m_.resize(count);
-    distance_m_.resize(count);
-    listed_in_.assign(count, 0);
-    pass_ = 0;
   }
   open_.assign(count, 0);
 }
@@ -84,20 +80,21 @@ void FillGrid::list_open_beside_sources(std::vector<int>& list) {
 }
 
 /// Without branches, which would be guessed wrong: whatever is looked at is written, and counted or not.
-void FillGrid::list_sources_beside(const std::vector<int>& pixels) {
-  sources_.resize(8 * pixels.size() + 1);
+void FillGrid::list_sources_beside(std::span<const int> pixels, FillOffers& offers) const {
+  offers.sources.resize(8 * pixels.size() + 1);
   const std::array<int, 8> offsets = offsets_;
+  const std::uint16_t pass = offers.pass;
   const float* source = source_.data();
-  std::uint16_t* listed_in = listed_in_.data();
-  int* end = sources_.data();
+  std::uint16_t* listed_in = offers.listed_in.data();
+  int* end = offers.sources.data();
   for (const int pixel : pixels)
     for (const int offset : offsets) {
       const std::ptrdiff_t at = pixel + offset;
       *end = pixel + offset;
-      end += (source[at] > 0) & (listed_in[at] != pass_);
-      listed_in[at] = pass_;
+      end += (source[at] > 0) & (listed_in[at] != pass);
+      listed_in[at] = pass;
     }
-  sources_.resize(static_cast<std::size_t>(end - sources_.data()));
+  offers.sources.resize(static_cast<std::size_t>(end - offers.sources.data()));
 }
 
 void FillGrid::list_open_beside(const std::vector<int>& pixels, std::vector<int>& list) {
@@ -118,7 +115,7 @@ void FillGrid::list_open_beside(const std::vector<int>& pixels, std::vector<int>
 /// The nine windows that contain a source, a row of three at a time: lane k of a row of windows is the one
 /// around the pixel k - 1 to the right, lane 3 is not used. Columns are summed downwards, then across, as in
 /// FillCandidate.
-[[gnu::always_inline]] inline void FillGrid::take_offers(int first, int second) {
+[[gnu::always_inline]] inline void FillGrid::take_offers(int first, int second, FillOffers& offers) const {
   const float* source = source_.data();
   const std::ptrdiff_t pitch = pitch_;
   const Float8 depth_m = {source[first],  source[first],  source[first],  source[first],
@@ -140,22 +137,22 @@ void FillGrid::list_open_beside(const std::vector<int>& pixels, std::vector<int>
     best.take_better(mean, step < 0 ? -step : step);
   }
   best.take_best_lane();
-  mean_m_[static_cast<std::size_t>(first)] = best.mean_m[0];
-  distance_m_[static_cast<std::size_t>(first)] = best.distance_m[0];
-  mean_m_[static_cast<std::size_t>(second)] = best.mean_m[4];
-  distance_m_[static_cast<std::size_t>(second)] = best.distance_m[4];
+  offers.mean_m[static_cast<std::size_t>(first)] = best.mean_m[0];
+  offers.distance_m[static_cast<std::size_t>(first)] = best.distance_m[0];
+  offers.mean_m[static_cast<std::size_t>(second)] = best.mean_m[4];
+  offers.distance_m[static_cast<std::size_t>(second)] = best.distance_m[4];
 }
 
 /// Looks at a row of three sources at a time; only sources have an offer.
-[[gnu::always_inline]] inline void FillGrid::find_best_means(int first, int second, float& first_m,
-                                                             float& second_m) const {
+[[gnu::always_inline]] inline void FillGrid::find_best_means(const FillOffers& offers, int first, int second,
+                                                             float& first_m, float& second_m) const {
   OffersForTwo best;
   FACET_UNROLL for (int dy = -1; dy <= 1; ++dy) {
     const std::ptrdiff_t a = first + dy * pitch_ - 1, b = second + dy * pitch_ - 1;
     Float8 source, mean, distance;
     load_two(source_.data() + a, source_.data() + b, source);
-    load_two(mean_m_.data() + a, mean_m_.data() + b, mean);
-    load_two(distance_m_.data() + a, distance_m_.data() + b, distance);
+    load_two(offers.mean_m.data() + a, offers.mean_m.data() + b, mean);
+    load_two(offers.distance_m.data() + a, offers.distance_m.data() + b, distance);
     best.take_better(mean, source > 0 ? distance : Float8{} + FillOffer{}.distance_m);
   }
   best.take_best_lane();
@@ -163,18 +160,24 @@ void FillGrid::list_open_beside(const std::vector<int>& pixels, std::vector<int>
   second_m = best.mean_m[4];
 }
 
-FACET_CPU_CLONES void FillGrid::propose(const std::vector<int>& pixels, std::vector<float>& means_m) {
-  if (++pass_ == 0) {  // all numbers of passes have been used
-    std::fill(listed_in_.begin(), listed_in_.end(), std::uint16_t{0});
-    pass_ = 1;
+FACET_CPU_CLONES void FillGrid::propose(FillOffers& offers, std::span<const int> pixels,
+                                        float* means_m) const {
+  if (offers.listed_in.size() != source_.size()) {
+    for (auto* values : {&offers.mean_m, &offers.distance_m}) values->resize(source_.size());
+    offers.listed_in.assign(source_.size(), 0);
+    offers.pass = 0;
   }
-  list_sources_beside(pixels);
-  for (std::size_t i = 0; i < sources_.size(); i += 2)
-    take_offers(sources_[i], sources_[std::min(i + 1, sources_.size() - 1)]);
-  means_m.resize(pixels.size());
+  if (++offers.pass == 0) {  // all numbers of passes have been used
+    std::fill(offers.listed_in.begin(), offers.listed_in.end(), std::uint16_t{0});
+    offers.pass = 1;
+  }
+  list_sources_beside(pixels, offers);
+  const std::vector<int>& sources = offers.sources;
+  for (std::size_t i = 0; i < sources.size(); i += 2)
+    take_offers(sources[i], sources[std::min(i + 1, sources.size() - 1)], offers);
   for (std::size_t i = 0; i < pixels.size(); i += 2) {
     const std::size_t k = std::min(i + 1, pixels.size() - 1);
-    find_best_means(pixels[i], pixels[k], means_m[i], means_m[k]);
+    find_best_means(offers, pixels[i], pixels[k], means_m[i], means_m[k]);
   }
 }
 

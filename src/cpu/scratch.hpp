@@ -19,6 +19,7 @@ struct CpuScratch {
   std::vector<std::uint8_t> row, rows_due;
   DueBlocks due_blocks;
   FillGrid fill_grid;
+  std::vector<FillOffers> fill_offers;  ///< one for each part of a pass
   std::vector<float> values;
 };
 

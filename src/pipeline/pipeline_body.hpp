@@ -218,7 +218,6 @@ class PipelineBody {
   }
 
   void label_regions(FrameResult& result) {  // section 3.3: closed whatever the edges do
-    label_components(executor_, b_.depth.view(), b_.edge.view(), b_.root.view());
     const int count = number_regions(executor_, b_, params_, camera_, numbering_, numbered_, result.rejected);
     give_back_pixels(executor_, params_.dd.jump_ratio, params_.dd.noise_sigmas, noise_, b_.depth.view(),
                      b_.label.view(), b_.mask_a.view(), b_.owner.view());
@@ -251,12 +250,21 @@ class PipelineBody {
   }
 
   void trace_contours(FrameResult& result) {  // section 4.2.3
+    if (params_.contours.mode == ContourMode::edge_map) return trace_edges(result);
     if (!joins_support()) collect_pixels(result, static_cast<int>(result.surfaces.size()));
+    trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
+  }
+
+  void trace_edges(FrameResult& result) {
+    executor_.fetch(b_.edge, b_.depth, b_.filled);
+    executor_.share_out(2, [&](int i, int) {  // neither needs the other
+      if (i == 0)
+        collect_pixels(result, static_cast<int>(result.surfaces.size()));
+      else
+        edge_borders_.follow(executor_.on_host(b_.edge));
+    });
     // The holes of the edge map are the regions as they were before edge pixels were given back.
-    if (params_.contours.mode == ContourMode::edge_map)
-      trace_edge_map(edge_borders_, executor_.on_host(b_.edge), numbered_.view(), result.surfaces);
-    else
-      trace_regions(result.labels.view(), pixels_.boxes, result.surfaces);
+    trace_edge_map(edge_borders_, numbered_.view(), result.surfaces);
   }
 
   void validate_surfaces(FrameResult& result) {

@@ -130,9 +130,8 @@ void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<Pixe
   list_children(surfaces);
 }
 
-void trace_edge_map(EdgeBorders& edge_borders, ImageView<const std::uint8_t> edge,
-                    ImageView<const std::uint16_t> labels, std::vector<Surface>& surfaces) {
-  edge_borders.follow(edge);
+void trace_edge_map(const EdgeBorders& edge_borders, ImageView<const std::uint16_t> labels,
+                    std::vector<Surface>& surfaces) {
   const std::span<const EdgeBorder> borders = edge_borders.borders();
   const auto label_in = [&](int border) -> int {  // at the hole's first pixel, 0 where it is no surface
     if (border < 0 || !borders[static_cast<std::size_t>(border)].is_hole) return 0;

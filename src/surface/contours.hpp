@@ -32,11 +32,11 @@ struct PixelBox {
 void trace_regions(ImageView<const std::uint16_t> labels, const std::vector<PixelBox>& boxes,
                    std::vector<Surface>& surfaces);
 
-/// The paper's contour separation (section 4.2.3): the borders of the edge map, which `edge_borders` follows,
-/// with their hierarchy. A surface is a hole of the edge network; its outline runs on the edge pixels that it
+/// The paper's contour separation (section 4.2.3): the borders of the edge map with their hierarchy. A
+/// surface is a hole of the edge network; its outline runs on the edge pixels that it
 /// shares with its neighbours. Surfaces that no closed contour bounds (open towards the image border) keep an
 /// empty contour.
-void trace_edge_map(EdgeBorders& edge_borders, ImageView<const std::uint8_t> edge,
-                    ImageView<const std::uint16_t> labels, std::vector<Surface>& surfaces);
+void trace_edge_map(const EdgeBorders& edge_borders, ImageView<const std::uint16_t> labels,
+                    std::vector<Surface>& surfaces);
 
 }  // namespace facet

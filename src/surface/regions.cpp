@@ -1,9 +1,9 @@
 #include "surface/regions.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
+#include "core/clones.hpp"
 #include "core/run.hpp"
 
 namespace facet {
@@ -22,16 +22,30 @@ void for_each_run(ImageView<const T> image, const Visit& visit) {
   }
 }
 
-/// How many of the ones and zeros between the ends are ones; eight at a time.
-int count_ones(const std::uint8_t* begin, const std::uint8_t* end) {
-  int count = 0;
-  for (; end - begin >= 8; begin += 8) {
-    std::uint64_t word;
-    std::memcpy(&word, begin, sizeof word);
-    if (word != 0) count += static_cast<int>(word * 0x0101010101010101u >> 56);
+/// visit(run, begin, end) for every run of a row.
+template <class Visit>
+void for_each_run_of_row(const ComponentRuns& runs, int y, const Visit& visit) {
+  const auto first = static_cast<std::size_t>(runs.first_of_row[static_cast<std::size_t>(y)]),
+             behind = static_cast<std::size_t>(runs.first_of_row[static_cast<std::size_t>(y) + 1]);
+  for (std::size_t run = first; run < behind; ++run) visit(run, runs.begin[run], runs.end[run]);
+}
+
+constexpr int block = 16;  ///< labels that are written at once
+
+/// Writes a label from x to `end` and a little beyond, where the next run will write: most runs are short,
+/// and how short would be guessed wrong.
+void write_run(int x, int end, std::uint16_t label, std::uint16_t* row) {
+  for (; x < end; x += block) std::fill_n(row + x, block, label);
+}
+
+FACET_CPU_CLONES void back_project_row(const float* ray_x, float ray_y, const float* depth_m, int count,
+                                       float* x, float* y, float* z) {
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) {
+    x[i] = ray_x[i] * depth_m[i];
+    y[i] = ray_y * depth_m[i];
+    z[i] = depth_m[i];
   }
-  for (; begin != end; ++begin) count += *begin;
-  return count;
 }
 
 std::string_view reason_to_drop(const RegionStatistics& c, const Camera& camera,
@@ -45,25 +59,44 @@ std::string_view reason_to_drop(const RegionStatistics& c, const Camera& camera,
 
 }  // namespace
 
-void RegionNumbering::collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
-                              ImageView<const std::uint8_t> filled) {
-  components_.clear();
-  runs_.clear();
-  component_at_.resize(static_cast<std::size_t>(root.size().area()));
+ComponentRuns RegionNumbering::list_runs(ImageView<const std::int32_t> root) {
+  begin_.clear(), end_.clear(), first_of_component_.clear();
+  first_of_row_.assign(static_cast<std::size_t>(root.height) + 1, 0);
+  run_at_.resize(static_cast<std::size_t>(root.size().area()));
   for_each_run(root, [&](std::int32_t first, int y, int begin, int end) {
     if (first < 0) return;
-    std::int32_t& index = component_at_[static_cast<std::size_t>(first)];
-    if (first == y * root.width + begin) {  // in raster order it comes before the others
-      index = static_cast<std::int32_t>(components_.size());
-      components_.emplace_back().first = first;
-    }
-    runs_.push_back({static_cast<std::size_t>(index), y, begin, end});
-    RegionStatistics& component = components_[static_cast<std::size_t>(index)];
-    component.area_px += end - begin;
-    component.filled_px += count_ones(filled.row(y) + begin, filled.row(y) + end);
-    component.twice_depth +=
-        RegionStatistics::twice_depth_of_run(end - begin, depth_m(begin, y), depth_m(end - 1, y));
+    const int run = static_cast<int>(begin_.size());
+    int& first_run = run_at_[static_cast<std::size_t>(first)];
+    if (first == y * root.width + begin) first_run = run;  // in raster order it comes before the others
+    begin_.push_back(begin);
+    end_.push_back(end);
+    first_of_component_.push_back(first_run);
+    first_of_row_[static_cast<std::size_t>(y) + 1] = run + 1;
   });
+  for (std::size_t y = 1; y < first_of_row_.size(); ++y)  // rows without runs
+    first_of_row_[y] = std::max(first_of_row_[y], first_of_row_[y - 1]);
+  return {begin_, end_, first_of_row_, first_of_component_};
+}
+
+void RegionNumbering::collect(const ComponentRuns& runs, ImageView<const float> depth_m,
+                              ImageView<const std::uint8_t> filled) {
+  components_.clear();
+  component_of_.resize(runs.begin.size());
+  for (int y = 0; y < depth_m.height; ++y)
+    for_each_run_of_row(runs, y, [&](std::size_t run, int begin, int end) {
+      const auto first = static_cast<std::size_t>(runs.first_of_component[run]);
+      if (first == run) {
+        component_of_[run] = static_cast<int>(components_.size());
+        components_.emplace_back().first = y * depth_m.width + begin;
+      } else {
+        component_of_[run] = component_of_[first];
+      }
+      RegionStatistics& component = components_[static_cast<std::size_t>(component_of_[run])];
+      component.area_px += end - begin;
+      component.filled_px += count_ones(filled.row(y) + begin, filled.row(y) + end);
+      component.twice_depth +=
+          RegionStatistics::twice_depth_of_run(end - begin, depth_m(begin, y), depth_m(end - 1, y));
+    });
 }
 
 int RegionNumbering::choose(std::span<const RegionStatistics> components, int width_px, const Camera& camera,
@@ -83,25 +116,34 @@ int RegionNumbering::choose(std::span<const RegionStatistics> components, int wi
   return count;
 }
 
+int RegionNumbering::number(const ComponentRuns& runs, ImageView<const float> depth_m,
+                            ImageView<const std::uint8_t> filled, const Camera& camera,
+                            const ValidationParams& validation, ImageView<std::uint16_t> labels,
+                            std::vector<RejectedRegion>& rejected) {
+  collect(runs, depth_m, filled);
+  const int count = choose(components_, labels.width, camera, validation, rejected);
+  write_labels(runs, labels);
+  return count;
+}
+
 int RegionNumbering::number(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
                             ImageView<const std::uint8_t> filled, const Camera& camera,
                             const ValidationParams& validation, ImageView<std::uint16_t> labels,
                             std::vector<RejectedRegion>& rejected) {
-  collect(root, depth_m, filled);
-  const int count = choose(components_, root.width, camera, validation, rejected);
-  write_labels(labels);
-  return count;
+  return number(list_runs(root), depth_m, filled, camera, validation, labels, rejected);
 }
 
-void RegionNumbering::write_labels(ImageView<std::uint16_t> labels) const {
-  auto run = runs_.begin();
+void RegionNumbering::write_labels(const ComponentRuns& runs, ImageView<std::uint16_t> labels) {
+  row_.resize(static_cast<std::size_t>(labels.width + block));
   for (int y = 0; y < labels.height; ++y) {
-    std::uint16_t* at = labels.row(y);
-    for (; run != runs_.end() && run->y == y; ++run) {
-      at = std::fill_n(at, labels.row(y) + run->begin - at, std::uint16_t{0});
-      at = std::fill_n(at, run->end - run->begin, label_[run->component]);
-    }
-    std::fill_n(at, labels.row(y) + labels.width - at, std::uint16_t{0});
+    int x = 0;
+    for_each_run_of_row(runs, y, [&](std::size_t run, int begin, int end) {
+      write_run(x, begin, 0, row_.data());
+      write_run(begin, end, label_[static_cast<std::size_t>(component_of_[run])], row_.data());
+      x = end;
+    });
+    write_run(x, labels.width, 0, row_.data());
+    std::copy_n(row_.data(), labels.width, labels.row(y));
   }
 }
 
@@ -137,33 +179,38 @@ void RegionPixels::sample_points(ImageView<const float> depth_m, ImageView<const
     points[i].resize(static_cast<std::size_t>((measured_px[i] + stride_[i] - 1) / stride_[i]));
   taken_.assign(area_px.size(), 0);
   wait_.assign(area_px.size(), 0);  // measured pixels until the next sample
+  // A ray times a depth is what Camera::back_project() gives, to the bit, without its quotients.
+  ray_x_.resize(static_cast<std::size_t>(depth_m.width));
+  for (int x = 0; x < depth_m.width; ++x)
+    ray_x_[static_cast<std::size_t>(x)] = camera.back_project(static_cast<float>(x), 0, 1).x;
   for (const Run& run : runs_) {
     const std::uint8_t* made_up = filled.row(run.y);
+    const float ray_y = camera.back_project(0, static_cast<float>(run.y), 1).y;
     for (int x = run.begin; x < run.end;) {
       const int end = end_of_run<std::uint8_t>(made_up, x, run.end, 0);
-      sample_run(run.region, run.y, x, end, depth_m.row(run.y), camera);
+      sample_run(run.region, ray_y, x, end, depth_m.row(run.y));
       x = end_of_run<std::uint8_t>(made_up, end, run.end, 1);
     }
   }
 }
 
-void RegionPixels::sample_run(std::size_t region, int y, int begin, int end, const float* depth_m,
-                              const Camera& shared_camera) {
-  const Camera camera = shared_camera;
+void RegionPixels::sample_run(std::size_t region, float ray_y, int begin, int end, const float* depth_m) {
   const int stride = stride_[region];
-  const int first = begin + wait_[region];
-  const int count = first < end ? (end - first + stride - 1) / stride : 0;
   PointSample& sample = points[region];
-  const std::size_t taken = taken_[region];
-  float *__restrict px = sample.x.data() + taken, *__restrict py = sample.y.data() + taken,
-                   *__restrict pz = sample.z.data() + taken;
-  for (int i = 0; i < count; ++i) {
-    const int x = first + i * stride;
-    const Vec3 p = camera.back_project(static_cast<float>(x), static_cast<float>(y), depth_m[x]);
-    px[i] = p.x, py[i] = p.y, pz[i] = p.z;
+  std::size_t taken = taken_[region];
+  int x = begin + wait_[region];
+  if (stride == 1) {
+    back_project_row(ray_x_.data() + x, ray_y, depth_m + x, end - x, sample.x.data() + taken,
+                     sample.y.data() + taken, sample.z.data() + taken);
+    taken += static_cast<std::size_t>(end - x);
+    x = end;
   }
-  taken_[region] = taken + static_cast<std::size_t>(count);
-  wait_[region] = first + count * stride - end;
+  for (; x < end; x += stride, ++taken) {
+    const float z = depth_m[x];
+    sample.set(taken, {ray_x_[static_cast<std::size_t>(x)] * z, ray_y * z, z});
+  }
+  taken_[region] = taken;
+  wait_[region] = x - end;
 }
 
 }  // namespace facet

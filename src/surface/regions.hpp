@@ -13,13 +13,23 @@
 
 namespace facet {
 
+/// Runs of the pixels of components, in raster order.
+struct ComponentRuns {
+  std::span<const int> begin, end;          ///< columns of each run
+  std::span<const int> first_of_row;        ///< the run with which each row begins, and the number of runs
+  std::span<const int> first_of_component;  ///< the first run of each run's component
+};
+
 /// Numbers the components that may be surfaces, in raster order of their first pixels; drops those that are
 /// too small or mostly made-up depth, with a reason, so that their pixels can go to the surfaces around them.
 /// Keeps its memory between frames.
 class RegionNumbering {
  public:
-  /// root: raster index of each pixel's component, -1 = none. Writes labels (0 = none); appends to
-  /// `rejected`. Returns the number of labels.
+  /// Writes labels (0 = none); appends to `rejected`. Returns the number of labels.
+  int number(const ComponentRuns& runs, ImageView<const float> depth_m, ImageView<const std::uint8_t> filled,
+             const Camera& camera, const ValidationParams& validation, ImageView<std::uint16_t> labels,
+             std::vector<RejectedRegion>& rejected);
+  /// The same where `root` holds the raster index of each pixel's component, -1 = none.
   int number(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
              ImageView<const std::uint8_t> filled, const Camera& camera, const ValidationParams& validation,
              ImageView<std::uint16_t> labels, std::vector<RejectedRegion>& rejected);
@@ -29,18 +39,16 @@ class RegionNumbering {
   std::span<const std::uint16_t> labels() const { return label_; }  ///< of the components, 0 = none
 
  private:
-  struct Run {
-    std::size_t component = 0;
-    int y = 0, begin = 0, end = 0;
-  };
-  void collect(ImageView<const std::int32_t> root, ImageView<const float> depth_m,
+  ComponentRuns list_runs(ImageView<const std::int32_t> root);
+  void collect(const ComponentRuns& runs, ImageView<const float> depth_m,
                ImageView<const std::uint8_t> filled);
-  void write_labels(ImageView<std::uint16_t> labels) const;
+  void write_labels(const ComponentRuns& runs, ImageView<std::uint16_t> labels);
 
   std::vector<RegionStatistics> components_;
-  std::vector<Run> runs_;
-  std::vector<std::int32_t> component_at_;  ///< by raster index of the first pixel, set there alone
-  std::vector<std::uint16_t> label_;
+  std::vector<int> component_of_;  ///< by run
+  std::vector<int> begin_, end_, first_of_row_, first_of_component_;
+  std::vector<std::int32_t> run_at_;  ///< by raster index of a component's first pixel, set there alone
+  std::vector<std::uint16_t> label_, row_;
 };
 
 /// What validation and pose need to know of the pixels of each label; filled in one pass over the label
@@ -63,12 +71,13 @@ class RegionPixels {
   };
   void sample_points(ImageView<const float> depth_m, ImageView<const std::uint8_t> filled,
                      const Camera& camera, int max_points);
-  /// Samples measured pixels of a row.
-  void sample_run(std::size_t region, int y, int begin, int end, const float* depth_m, const Camera& camera);
+  /// Samples measured pixels of a row; `ray_y`: of the row.
+  void sample_run(std::size_t region, float ray_y, int begin, int end, const float* depth_m);
 
   std::vector<Run> runs_;
   std::vector<int> stride_, wait_;  ///< of the samples, by region
   std::vector<std::size_t> taken_;
+  std::vector<float> ray_x_;  ///< of the columns: x of the point at a depth of 1 m
 };
 
 }  // namespace facet

@@ -25,7 +25,8 @@ EdgeMap edge_map(std::vector<std::string> rows) {
 std::vector<Surface> traced(const EdgeMap& map) {
   std::vector<Surface> surfaces = numbered_surfaces(largest_label(map.labels));
   EdgeBorders edge_borders;
-  trace_edge_map(edge_borders, map.edge.view(), map.labels.view(), surfaces);
+  edge_borders.follow(map.edge.view());
+  trace_edge_map(edge_borders, map.labels.view(), surfaces);
   return surfaces;
 }
 

@@ -1,5 +1,6 @@
 #include "cpu/tuned/fill_missing.hpp"
 
+#include <span>
 #include <utility>
 
 #include "core/clones.hpp"
@@ -35,11 +36,25 @@ void mark_narrow_holes(ImageView<const std::uint8_t> missing, int max_hole_px, I
     });
 }
 
-/// Fills the grid from the borders of its holes inwards; appends the pixels filled to `closed`.
-void fill_from_borders(FillGrid& grid, int max_passes, std::vector<int>& front, std::vector<int>& next,
-                       std::vector<float>& proposal_m, std::vector<int>& closed) {
+/// What the pixels of a front are filled with.
+void propose(CpuExecutor& executor, const FillGrid& grid, std::span<const int> front,
+             std::vector<float>& proposal_m) {
+  std::vector<FillOffers>& offers = executor.scratch().fill_offers;
+  offers.resize(static_cast<std::size_t>(executor.workers()));
+  proposal_m.resize(front.size());
+  executor.for_each_part(front.size(), 128, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    grid.propose(offers[i], front.subspan(begin, end - begin), proposal_m.data() + begin);
+  });
+}
+
+/// Fills the grid from the borders of its holes inwards; the pixels filled are added to list_c.
+void fill_from_borders(CpuExecutor& executor, int max_passes) {
+  CpuScratch& memory = executor.scratch();
+  FillGrid& grid = memory.fill_grid;
+  std::vector<int>&front = memory.list_a, &next = memory.list_b, &closed = memory.list_c;
+  std::vector<float>& proposal_m = memory.values;
   for (int pass = 0; pass < max_passes && !front.empty(); ++pass) {
-    grid.propose(front, proposal_m);
+    propose(executor, grid, front, proposal_m);
     for (std::size_t i = 0; i < front.size(); ++i) grid.close(front[i], proposal_m[i]);
     grid.list_open_beside(front, next);
     closed.insert(closed.end(), front.begin(), front.end());
@@ -64,13 +79,12 @@ void fill_missing(CpuExecutor& executor, const FillParams& params, ImageView<flo
     copy_sources(depth_m.row(y), scratch.rim.row(y), depth_m.width, grid.source().row(y));
   });
 
-  std::vector<int>&front = memory.list_a, &closed = memory.list_c;
-  closed.clear();
-  grid.list_open_beside_sources(front);
-  fill_from_borders(grid, params.max_passes, front, memory.list_b, memory.values, closed);
+  memory.list_c.clear();
+  grid.list_open_beside_sources(memory.list_a);
+  fill_from_borders(executor, params.max_passes);
 
   executor.fill(filled, std::uint8_t{0});
-  for (const int pixel : closed) {
+  for (const int pixel : memory.list_c) {
     const int x = grid.x(pixel), y = grid.y(pixel);
     depth_m(x, y) = grid.source_at(pixel);
     filled(x, y) = 1;

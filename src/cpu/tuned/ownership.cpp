@@ -64,13 +64,10 @@ void give_back_pixels(CpuExecutor& executor, float jump_ratio, float noise_sigma
   list_front(executor.scratch(), label, open, list);
   const ChooseOwnerOp choose{depth_m, label, jump_ratio, noise_sigmas, noise, choice};
   for (std::span<const int> front = list; !front.empty(); std::swap(list, next)) {
-    for (const int i : front) {
-      const int x = x_of(i), y = y_of(i);
-      if (x > 0 && y > 0 && x < label.width - 1 && y < label.height - 1)
-        choose(x, y, InteriorAccess{});
-      else
-        choose(x, y, GuardedAccess{});
-    }
+    executor.for_each_part(front.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (const int i : front.subspan(begin, end - begin))
+        CpuExecutor::run_pixel(choose, label.size(), x_of(i), y_of(i));
+    });
     for (const int i : front) {
       const int x = x_of(i), y = y_of(i);
       label(x, y) = choice(x, y);
