@@ -70,25 +70,18 @@ void BitMask::resize(Size size) {
   words_.assign(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(size_.height + 2), 0);
 }
 
-void BitMask::assign(ImageView<const std::uint8_t> mask) {
-  resize(mask.size());
-  for (int y = 0; y < size_.height; ++y) pack(mask.row(y), row(y));
-}
-
-void BitMask::pack(const std::uint8_t* from, std::uint64_t* to) const {
+void BitMask::pack_row(int y, const std::uint8_t* bytes) {
+  std::uint64_t* to = row(y);
   int x = 0;
-  for (; x + 16 <= size_.width; x += 16) to[x / 64] |= bits_of(from + x) << x % 64;
-  for (; x < size_.width; ++x) to[x / 64] |= std::uint64_t{from[x]} << x % 64;
+  for (; x + 16 <= size_.width; x += 16) to[x / 64] |= bits_of(bytes + x) << x % 64;
+  for (; x < size_.width; ++x) to[x / 64] |= std::uint64_t{bytes[x]} << x % 64;
 }
 
-void BitMask::write(ImageView<std::uint8_t> mask) const {
-  for (int y = 0; y < size_.height; ++y) {
-    const std::uint64_t* from = row(y);
-    std::uint8_t* to = mask.row(y);
-    int x = 0;
-    for (; x + 8 <= size_.width; x += 8) to_bytes(from[x / 64] >> x % 64, to + x);
-    for (; x < size_.width; ++x) to[x] = from[x / 64] >> x % 64 & 1;
-  }
+void BitMask::write_row(int y, std::uint8_t* bytes) const {
+  const std::uint64_t* from = row(y);
+  int x = 0;
+  for (; x + 8 <= size_.width; x += 8) to_bytes(from[x / 64] >> x % 64, bytes + x);
+  for (; x < size_.width; ++x) bytes[x] = from[x / 64] >> x % 64 & 1;
 }
 
 void BitMask::clear_around(int first, int behind) {

@@ -15,19 +15,9 @@ namespace facet {
 class BitMask {
  public:
   void resize(Size size);  ///< all pixels are clear afterwards
-  /// Copies a mask of zeros and ones.
-  void assign(ImageView<const std::uint8_t> mask);
-  /// mark_row(y, bytes) writes a row of zeros and ones.
-  template <class MarkRow>
-  void assign_rows(Size size, const MarkRow& mark_row) {
-    resize(size);
-    bytes_.resize(static_cast<std::size_t>(size_.width));
-    for (int y = 0; y < size_.height; ++y) {
-      mark_row(y, bytes_.data());
-      pack(bytes_.data(), row(y));
-    }
-  }
-  void write(ImageView<std::uint8_t> mask) const;
+  /// Rows of zeros and ones, a byte for each pixel: to a row that is clear, and back.
+  void pack_row(int y, const std::uint8_t* bytes);
+  void write_row(int y, std::uint8_t* bytes) const;
   Size size() const { return size_; }
   int words() const { return pitch_ - 2; }
   /// Words from a row to the next. Rows lie one after the other, so that a pass over a block of them is one
@@ -43,13 +33,11 @@ class BitMask {
   void swap(BitMask& other) noexcept;
 
  private:
-  void pack(const std::uint8_t* from, std::uint64_t* to) const;
   std::ptrdiff_t offset(int y) const { return (std::ptrdiff_t{y} + 1) * pitch_ + 1; }
 
   Size size_;
   int pitch_ = 2;
   std::vector<std::uint64_t> words_;
-  std::vector<std::uint8_t> bytes_;  ///< a row
 };
 
 /// visit(x) for every pixel that is set in a row, from left to right; visit(x, y) for every pixel that is

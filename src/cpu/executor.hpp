@@ -117,8 +117,9 @@ class CpuExecutor {
 
   template <class T>
   void copy(ImageView<const T> from, ImageView<T> to) {
-    for (int y = 0; y < from.height; ++y)
+    for_each_row(from.height, [&](int y) {
       std::memcpy(to.row(y), from.row(y), sizeof(T) * static_cast<std::size_t>(from.width));
+    });
   }
   /// Host memory to the executor's and back; on_host: where the host may read an image, which is there sooner
   /// when it was fetched together with others.
@@ -138,7 +139,7 @@ class CpuExecutor {
   void fetch(const Image<T>&...) {}
   template <class T>
   void fill(ImageView<T> image, T value) {
-    for (int y = 0; y < image.height; ++y) std::fill_n(image.row(y), image.width, value);
+    for_each_row(image.height, [&](int y) { std::fill_n(image.row(y), image.width, value); });
   }
 
   /// Flag that operations of an iterated pass raise when they changed something.

@@ -34,11 +34,17 @@ bool is_graspable(ImageView<const std::uint16_t> labels, ImageView<const std::ui
   return false;
 }
 
+/// An index less than 2 n of a closed line with n points. A division would take longer than all else that is
+/// done to a point.
+std::size_t wrapped(std::size_t i, std::size_t n) {
+  return i < n ? i : i - n;
+}
+
 /// Twice the area on the side left_of() the outline's direction.
 std::int64_t doubled_area(const Polyline& outline) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const ContourPoint p = outline[i], q = outline[(i + 1) % outline.size()];
+    const ContourPoint p = outline[i], q = outline[wrapped(i + 1, outline.size())];
     sum += std::int64_t{p.x} * q.y - std::int64_t{p.y} * q.x;
   }
   return sum;
@@ -48,11 +54,13 @@ std::size_t farthest_from_mean(const Polyline& outline) {
   Vec2 mean;
   for (const ContourPoint& p : outline) mean = mean + to_vec(p);
   mean = (1 / static_cast<double>(outline.size())) * mean;
-  const auto distance = [&](const ContourPoint& p) { return norm(to_vec(p) - mean); };
-  return static_cast<std::size_t>(
-      std::max_element(outline.begin(), outline.end(),
-                       [&](const auto& p, const auto& q) { return distance(p) < distance(q); }) -
-      outline.begin());
+  std::size_t farthest = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const double distance = norm(to_vec(outline[i]) - mean);
+    if (distance > largest) largest = distance, farthest = i;
+  }
+  return farthest;
 }
 
 }  // namespace
@@ -94,7 +102,7 @@ void GraspableEdges::collect(const Polyline& outline) {
   if (first == n) return;
   std::size_t start = first, longest = 0, gap = 0;
   for (std::size_t k = 1; k <= n; ++k) {
-    const std::size_t i = (first + k) % n;
+    const std::size_t i = wrapped(first + k, n);
     if (!graspable_[i]) {
       ++gap;
       continue;
@@ -105,7 +113,7 @@ void GraspableEdges::collect(const Polyline& outline) {
   if (longest < closed_gap_px) return add_run(outline, farthest_from_mean(outline), n + 1);
   std::size_t begin = 0, end = 0;  // of the run, from the start; the longest gap ends the last one
   for (std::size_t k = 0; k < n; ++k) {
-    if (!graspable_[(start + k) % n]) continue;
+    if (!graspable_[wrapped(start + k, n)]) continue;
     if (k - end >= closed_gap_px) {
       add_run(outline, start + begin, end - begin);
       begin = k;
@@ -118,7 +126,8 @@ void GraspableEdges::collect(const Polyline& outline) {
 void GraspableEdges::add_run(const Polyline& outline, std::size_t first, std::size_t count) {
   if (count < 2) return;
   const std::size_t begin = points_.size();
-  for (std::size_t k = 0; k < count; ++k) points_.push_back(to_vec(outline[(first + k) % outline.size()]));
+  for (std::size_t k = 0; k < count; ++k)
+    points_.push_back(to_vec(outline[wrapped(first + k, outline.size())]));
   runs_.emplace_back(begin, points_.size() - 1);
 }
 

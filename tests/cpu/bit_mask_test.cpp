@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/neighbour_table.hpp"
+#include "cpu/pack_bits.hpp"
 #include "support/masks.hpp"
 #include "support/mat.hpp"
 #include "support/same_image.hpp"
@@ -14,12 +15,14 @@ namespace {
 
 BitMask bits_of(const Mask& mask) {
   BitMask bits;
-  bits.assign(mask.view());
+  CpuExecutor executor;
+  pack(executor, mask.view(), bits);
   return bits;
 }
 Mask bytes_of(const BitMask& bits) {
   Mask mask(bits.size(), 7);
-  bits.write(mask.view());
+  CpuExecutor executor(2);
+  unpack(executor, bits, mask.view());
   return mask;
 }
 
@@ -31,7 +34,8 @@ TEST(BitMask, ForgetsTheFormerMask) {
   BitMask bits = bits_of(Mask(Size{200, 9}, 1));
   Mask single(Size{65, 31});
   single(64, 4) = 1;
-  bits.assign(single.view());
+  CpuExecutor executor;
+  pack(executor, single.view(), bits);
   EXPECT_TRUE(same_image(bytes_of(bits), single));
 }
 

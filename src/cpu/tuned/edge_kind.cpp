@@ -1,6 +1,7 @@
 #include "cpu/tuned/edge_kind.hpp"
 
 #include "core/clones.hpp"
+#include "cpu/pack_bits.hpp"
 
 namespace facet {
 namespace {
@@ -18,12 +19,12 @@ void edge_kind(CpuExecutor& executor, const EdgeKindParams& params, const Camera
                ImageView<const std::uint8_t> depth_edge, ImageView<std::uint8_t> edge,
                ImageView<std::uint8_t> code) {
   auto& [near, creases, spare, unused] = executor.scratch().bits;
-  near.assign(depth_edge);
+  pack(executor, depth_edge, near);
   dilate_square(1, near, spare);
-  creases.assign(edge);
+  pack(executor, edge, creases);
   intersect(near, creases);
   subtract(creases, near);
-  near.write(code);
+  unpack(executor, near, code);
   const EdgeKindOp op{depth_edge,
                       params.convexity,
                       {depth_m, depth_edge},

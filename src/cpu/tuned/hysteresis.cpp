@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/clones.hpp"
+#include "cpu/pack_bits.hpp"
 #include "stage/ridge.hpp"
 
 namespace facet {
@@ -70,12 +71,12 @@ void grow_edges(const BitMask& ridge, std::vector<std::uint8_t>& due, BitMask& e
 
 void hysteresis(CpuExecutor& executor, ImageView<std::uint8_t> ridge, ImageView<std::uint8_t> edge) {
   BitMask &any = executor.scratch().bits[0], &strong = executor.scratch().bits[1];
-  any.assign_rows(ridge.size(),
-                  [&](int y, std::uint8_t* bytes) { mark_any(ridge.row(y), ridge.width, bytes); });
-  strong.assign_rows(ridge.size(),
-                     [&](int y, std::uint8_t* bytes) { mark_strong(ridge.row(y), ridge.width, bytes); });
+  pack_rows(executor, ridge.size(), any,
+            [&](int y, std::uint8_t* bytes) { mark_any(ridge.row(y), ridge.width, bytes); });
+  pack_rows(executor, ridge.size(), strong,
+            [&](int y, std::uint8_t* bytes) { mark_strong(ridge.row(y), ridge.width, bytes); });
   grow_edges(any, executor.scratch().rows_due, strong);
-  strong.write(edge);
+  unpack(executor, strong, edge);
 }
 
 }  // namespace facet

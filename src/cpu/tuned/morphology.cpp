@@ -1,5 +1,7 @@
 #include "cpu/tuned/morphology.hpp"
 
+#include "cpu/pack_bits.hpp"
+
 namespace facet {
 namespace {
 
@@ -15,7 +17,7 @@ void morphology(CpuExecutor& executor, const MorphologyParams& params, ImageView
   if (params.mode == MorphologyMode::none) return;
   auto& bits = executor.scratch().bits;
   BitMask &mask = bits[0], &coarse = bits[1], &spare = bits[2];
-  mask.assign(edge);
+  pack(executor, edge, mask);
   if (params.mode == MorphologyMode::bridge) {
     dilate_square(params.bridge_px, mask, spare);
   } else {
@@ -25,7 +27,7 @@ void morphology(CpuExecutor& executor, const MorphologyParams& params, ImageView
     open_square(params.large_element_px, coarse, spare);
     subtract(mask, coarse);
   }
-  mask.write(edge);
+  unpack(executor, mask, edge);
 }
 
 }  // namespace facet

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/clones.hpp"
+#include "cpu/pack_bits.hpp"
 #include "cpu/tuned/edge_list.hpp"
 #include "stage/ownership.hpp"
 
@@ -18,13 +19,13 @@ FACET_CPU_CLONES void mark_labelled(const std::uint16_t* label, int width, std::
 }
 
 /// Lists the open pixels beside a labelled one.
-void list_front(CpuScratch& scratch, ImageView<const std::uint16_t> label, ImageView<const std::uint8_t> open,
-                std::vector<int>& front) {
-  BitMask &beside = scratch.bits[0], &spare = scratch.bits[1];
-  beside.assign_rows(label.size(),
-                     [&](int y, std::uint8_t* bytes) { mark_labelled(label.row(y), label.width, bytes); });
+void list_front(CpuExecutor& executor, ImageView<const std::uint16_t> label,
+                ImageView<const std::uint8_t> open, std::vector<int>& front) {
+  BitMask &beside = executor.scratch().bits[0], &spare = executor.scratch().bits[1];
+  pack_rows(executor, label.size(), beside,
+            [&](int y, std::uint8_t* bytes) { mark_labelled(label.row(y), label.width, bytes); });
   dilate_square(1, beside, spare);
-  spare.assign(open);
+  pack(executor, open, spare);
   intersect(beside, spare);
   front.clear();
   for_each_set(beside, [&](int x, int y) { front.push_back(listed(x, y)); });
@@ -61,7 +62,7 @@ void give_back_pixels(CpuExecutor& executor, float jump_ratio, float noise_sigma
                       ImageView<std::uint8_t> open, ImageView<std::uint16_t> choice) {
   std::vector<int>&list = executor.scratch().list_a, &next = executor.scratch().list_b;
   executor.for_each_pixel(label.size(), UnownedOp{depth_m, label, open});
-  list_front(executor.scratch(), label, open, list);
+  list_front(executor, label, open, list);
   const ChooseOwnerOp choose{depth_m, label, jump_ratio, noise_sigmas, noise, choice};
   for (std::span<const int> front = list; !front.empty(); std::swap(list, next)) {
     executor.for_each_part(front.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/clones.hpp"
+#include "cpu/pack_bits.hpp"
 
 namespace facet {
 namespace {
@@ -49,10 +50,9 @@ void prune(CpuExecutor& executor, const PruningParams& params, ImageView<const f
   if (params.mode == PruningMode::none) return;
   CpuScratch& scratch = executor.scratch();
   auto& [line, measured, ends, original] = scratch.bits;
-  line.assign(edge);
-  measured.assign_rows(depth_m.size(), [&](int y, std::uint8_t* bytes) {
-    mark_measured(depth_m.row(y), depth_m.width, bytes);
-  });
+  pack(executor, edge, line);
+  pack_rows(executor, depth_m.size(), measured,
+            [&](int y, std::uint8_t* bytes) { mark_measured(depth_m.row(y), depth_m.width, bytes); });
   ends.resize(line.size());
   original = line;
   scratch.due_blocks.reset(edge.height);
@@ -68,7 +68,7 @@ void prune(CpuExecutor& executor, const PruningParams& params, ImageView<const f
     }
     unite(line, ends);
   }
-  line.write(edge);
+  unpack(executor, line, edge);
 }
 
 }  // namespace facet

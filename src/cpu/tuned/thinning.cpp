@@ -1,6 +1,7 @@
 #include "cpu/tuned/thinning.hpp"
 
 #include "core/clones.hpp"
+#include "cpu/pack_bits.hpp"
 #include "stage/thinning.hpp"
 
 namespace facet {
@@ -34,7 +35,7 @@ bool thin_once(BitMask& mask, DueBlocks& due, BitMask& doomed) {
 void thin(CpuExecutor& executor, ImageView<std::uint8_t> edge, ImageView<std::uint8_t>) {
   CpuScratch& scratch = executor.scratch();
   BitMask &mask = scratch.bits[0], &doomed = scratch.bits[1];
-  mask.assign(edge);
+  pack(executor, edge, mask);
   doomed.resize(mask.size());
   scratch.due_blocks.reset(edge.height);
   bool changed = true;
@@ -42,7 +43,7 @@ void thin(CpuExecutor& executor, ImageView<std::uint8_t> edge, ImageView<std::ui
     changed = thin_once<0>(mask, scratch.due_blocks, doomed);
     changed |= thin_once<1>(mask, scratch.due_blocks, doomed);
   }
-  mask.write(edge);
+  unpack(executor, mask, edge);
 }
 
 }  // namespace facet
