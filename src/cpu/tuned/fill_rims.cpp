@@ -15,32 +15,18 @@ struct Before {
   float *depth_m, *gap;
 };
 
-/// The lines that come from the left, from straight before, and from the right.
-using Lines = std::array<Before, 3>;
-
-FACET_CPU_CLONES void mark_row(const float* depth_m, int width, const FillParams& params,
-                               const Lines& shared_from, const Lines& shared_to, float* marks) {
-  const Lines from = shared_from, to = shared_to;
+FACET_CPU_CLONES void mark_row(const float* depth_m, int width, const FillParams& params, Before from,
+                               Before to, std::uint8_t* rim) {
   const float jump = params.rim_jump, gap_end = static_cast<float>(params.rim_search_px);
 #pragma GCC ivdep
   for (int x = 0; x < width; ++x) {
-    const float z = depth_m[x], least = z * (1 + jump);
+    const float z = depth_m[x], before = from.depth_m[x], gap = from.gap[x];
     const bool measured = z > 0;
-    float mark = 0;
-    FACET_UNROLL for (int k = 0; k < 3; ++k) {
-      const float before = from[static_cast<std::size_t>(k)].depth_m[x],
-                  gap = from[static_cast<std::size_t>(k)].gap[x];
-      const bool is_rim = measured & (gap > 0) & (gap < gap_end) & (before > least);
-      mark = is_rim ? 1.0f : mark;
-      to[static_cast<std::size_t>(k)].depth_m[x] = measured ? z : before;
-      to[static_cast<std::size_t>(k)].gap[x] = measured ? 0.0f : gap + 1;
-    }
-    marks[x] = mark;
+    const bool is_rim = measured & (gap > 0) & (gap < gap_end) & (before > z * (1 + jump));
+    rim[x] |= is_rim ? 1 : 0;
+    to.depth_m[x] = measured ? z : before;
+    to.gap[x] = measured ? 0.0f : gap + 1;
   }
-}
-
-FACET_CPU_CLONES void add_marks(const float* marks, int width, std::uint8_t* rim) {
-  for (int x = 0; x < width; ++x) rim[x] |= marks[x] > 0 ? 1 : 0;
 }
 
 /// Marks what has a hole before it on the way through the rows from `first` in steps of `step`, in the three
@@ -48,17 +34,18 @@ FACET_CPU_CLONES void add_marks(const float* marks, int width, std::uint8_t* rim
 void mark_along(std::vector<float>& memory, const FillParams& params, ImageView<const float> depth_m,
                 int first, int step, ImageView<std::uint8_t> rim) {
   const std::size_t pitch = static_cast<std::size_t>(depth_m.width) + 2;  // nothing beyond the image
-  memory.assign(13 * pitch, 0);
-  Lines from, to;
-  float *at = memory.data() + 1, *marks = at + 12 * pitch - 1;
+  memory.assign(12 * pitch, 0);
+  std::array<Before, 3> from, to;
+  float* at = memory.data() + 1;
   for (auto* lines : {&from, &to})
     for (Before& line : *lines) line = {at, at + pitch}, at += 2 * pitch;
   for (int i = 0, y = first; i < depth_m.height; ++i, y += step) {
-    Lines shifted = from;
-    for (std::size_t k : {0, 2})
-      shifted[k].depth_m += static_cast<int>(k) - 1, shifted[k].gap += static_cast<int>(k) - 1;
-    mark_row(depth_m.row(y), depth_m.width, params, shifted, to, marks);
-    add_marks(marks, depth_m.width, rim.row(y));
+    for (int dx = -1; dx <= 1; ++dx) {
+      const Before &before = from[static_cast<std::size_t>(dx + 1)],
+                   &here = to[static_cast<std::size_t>(dx + 1)];
+      mark_row(depth_m.row(y), depth_m.width, params, {before.depth_m + dx, before.gap + dx}, here,
+               rim.row(y));
+    }
     std::swap(from, to);
   }
 }
