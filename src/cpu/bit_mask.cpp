@@ -16,9 +16,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "bytes and bits run the same way");
 
-constexpr std::uint64_t ones = 0x0101010101010101u;
-
-/// Sixteen bytes of 0 or 1 as sixteen bits; eight bits as eight bytes of 0 or 1.
+/// Sixteen bytes of 0 or 1 as sixteen bits.
 std::uint64_t bits_of(const std::uint8_t* bytes) {
 #if defined(__SSE2__)
   const __m128i ones_up = _mm_slli_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes)), 7);
@@ -30,10 +28,24 @@ std::uint64_t bits_of(const std::uint8_t* bytes) {
   return low * 0x0102040810204080u >> 56 | high * 0x0102040810204080u >> 56 << 8;
 #endif
 }
+/// Sixteen bits as sixteen bytes of 0 or 1.
 void to_bytes(std::uint64_t bits, std::uint8_t* bytes) {
-  const std::uint64_t spread = (bits & 0xFF) * ones & 0x8040201008040201u;
-  const std::uint64_t word = (spread + 0x7F * ones) >> 7 & ones;
-  std::memcpy(bytes, &word, sizeof word);
+  constexpr std::uint64_t places = 0x8040201008040201u;
+#if defined(__SSE2__)
+  const __m128i place = _mm_set1_epi64x(static_cast<std::int64_t>(places));
+  __m128i spread = _mm_cvtsi32_si128(static_cast<int>(bits & 0xFFFF));
+  spread = _mm_unpacklo_epi8(spread, spread);                            // each of the two bytes twice,
+  spread = _mm_shuffle_epi32(_mm_unpacklo_epi16(spread, spread), 0x50);  // then eight times
+  const __m128i is_set = _mm_cmpeq_epi8(_mm_and_si128(spread, place), place);
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(bytes), _mm_and_si128(is_set, _mm_set1_epi8(1)));
+#else
+  for (int half = 0; half < 2; ++half) {
+    constexpr std::uint64_t ones = 0x0101010101010101u;
+    const std::uint64_t spread = (bits >> 8 * half & 0xFF) * ones & places;
+    const std::uint64_t word = (spread + 0x7F * ones) >> 7 & ones;
+    std::memcpy(bytes + 8 * half, &word, sizeof word);
+  }
+#endif
 }
 
 FACET_CPU_CLONES void dilate_words(const std::uint64_t* row, std::ptrdiff_t pitch, std::ptrdiff_t count,
@@ -73,14 +85,16 @@ void BitMask::resize(Size size) {
 void BitMask::pack_row(int y, const std::uint8_t* bytes) {
   std::uint64_t* to = row(y);
   int x = 0;
-  for (; x + 16 <= size_.width; x += 16) to[x / 64] |= bits_of(bytes + x) << x % 64;
+  for (; x + 64 <= size_.width; x += 64)
+    to[x / 64] = bits_of(bytes + x) | bits_of(bytes + x + 16) << 16 | bits_of(bytes + x + 32) << 32 |
+                 bits_of(bytes + x + 48) << 48;
   for (; x < size_.width; ++x) to[x / 64] |= std::uint64_t{bytes[x]} << x % 64;
 }
 
 void BitMask::write_row(int y, std::uint8_t* bytes) const {
   const std::uint64_t* from = row(y);
   int x = 0;
-  for (; x + 8 <= size_.width; x += 8) to_bytes(from[x / 64] >> x % 64, bytes + x);
+  for (; x + 16 <= size_.width; x += 16) to_bytes(from[x / 64] >> x % 64, bytes + x);
   for (; x < size_.width; ++x) bytes[x] = from[x / 64] >> x % 64 & 1;
 }
 

@@ -84,11 +84,14 @@ void fill_missing(CpuExecutor& executor, const FillParams& params, ImageView<flo
   fill_from_borders(executor, params.max_passes);
 
   executor.fill(filled, std::uint8_t{0});
-  for (const int pixel : memory.list_c) {
-    const int x = grid.x(pixel), y = grid.y(pixel);
-    depth_m(x, y) = grid.source_at(pixel);
-    filled(x, y) = 1;
-  }
+  const std::vector<int>& closed = memory.list_c;
+  executor.for_each_part(closed.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const int x = grid.x(closed[i]), y = grid.y(closed[i]);
+      depth_m(x, y) = grid.source_at(closed[i]);
+      filled(x, y) = 1;
+    }
+  });
 }
 
 }  // namespace facet

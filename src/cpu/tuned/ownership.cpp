@@ -69,11 +69,13 @@ void give_back_pixels(CpuExecutor& executor, float jump_ratio, float noise_sigma
       for (const int i : front.subspan(begin, end - begin))
         CpuExecutor::run_pixel(choose, label.size(), x_of(i), y_of(i));
     });
-    for (const int i : front) {
-      const int x = x_of(i), y = y_of(i);
-      label(x, y) = choice(x, y);
-      open(x, y) = choice(x, y) == 0;
-    }
+    executor.for_each_part(front.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (const int i : front.subspan(begin, end - begin)) {
+        const int x = x_of(i), y = y_of(i);
+        label(x, y) = choice(x, y);
+        open(x, y) = choice(x, y) == 0;
+      }
+    });
     front = list_open_beside(front, choice, open, next);
   }
 }
