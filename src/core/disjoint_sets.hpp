@@ -15,8 +15,6 @@ class DisjointSets {
     parent_.resize(static_cast<std::size_t>(count));
     std::iota(parent_.begin(), parent_.end(), 0);
   }
-  /// One more, a set of its own.
-  void add() { parent_.push_back(static_cast<int>(parent_.size())); }
   int find(int i) {
     const auto parent = [this](int k) -> int& { return parent_[static_cast<std::size_t>(k)]; };
     while (parent(i) != i) i = parent(i) = parent(parent(i));

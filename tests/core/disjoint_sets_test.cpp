@@ -32,15 +32,5 @@ TEST(DisjointSets, AResetForgetsWhatWasJoined) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(sets.find(i), i);
 }
 
-TEST(DisjointSets, OneMoreIsASetOfItsOwn) {
-  DisjointSets sets;
-  sets.reset(2);
-  sets.join(0, 1);
-  sets.add();
-  EXPECT_EQ(sets.find(2), 2);
-  sets.join(2, 1);
-  EXPECT_EQ(sets.find(2), 0);
-}
-
 }  // namespace
 }  // namespace facet

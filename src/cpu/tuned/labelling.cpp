@@ -8,7 +8,7 @@ namespace facet {
 
 void label_components(CpuExecutor& executor, ImageView<const float> depth_m,
                       ImageView<const std::uint8_t> edge, ImageView<std::int32_t> root) {
-  RunForest runs(executor.scratch(), depth_m, edge);
+  RunForest runs(executor, depth_m, edge);
   // Raster index of the first pixel of every run's set; sets are named by their first run.
   std::vector<int>& name = executor.scratch().names;
   name.resize(static_cast<std::size_t>(runs.count()));

@@ -7,7 +7,7 @@ namespace facet {
 int number_regions(CpuExecutor& executor, Buffers<CpuExecutor>& b, const PipelineParams& params,
                    const Camera& camera, RegionNumbering& numbering, Image<std::uint16_t>& numbered,
                    std::vector<RejectedRegion>& rejected) {
-  RunForest runs(executor.scratch(), b.depth.view(), b.edge.view());
+  RunForest runs(executor, b.depth.view(), b.edge.view());
   std::vector<int>& first_of_component = executor.scratch().names;
   first_of_component.resize(static_cast<std::size_t>(runs.count()));
   for (int r = 0; r < runs.count(); ++r) first_of_component[static_cast<std::size_t>(r)] = runs.set_of(r);
