@@ -1,5 +1,7 @@
 #include "cpu/executor.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <gtest/gtest.h>
 #include <thread>
 #include <type_traits>
@@ -55,6 +57,34 @@ TEST(CpuExecutor, VisitsExactlyTheSetPixelsOfAMask) {
       executor.for_each_set(set.view(), VisitOp{0, visits.view(), interior.view()});
       EXPECT_TRUE(same_image(visits, make_image<int>(mask.size(), [&](int x, int y) { return mask(x, y); })));
     });
+}
+
+TEST(CpuExecutor, SharesOutEveryIndexOnceAndTellsApartWhatRunsAtTheSameTime) {
+  for (const int threads : {1, 2, 5}) {
+    CpuExecutor executor(threads);
+    std::vector<int> visits(1000);
+    std::vector<std::atomic<int>> busy(static_cast<std::size_t>(executor.workers()));
+    executor.share_out(1000, [&](int i, int worker) {
+      EXPECT_EQ(++busy[static_cast<std::size_t>(worker)], 1);
+      ++visits[static_cast<std::size_t>(i)];
+      --busy[static_cast<std::size_t>(worker)];
+    });
+    EXPECT_EQ(visits, std::vector<int>(1000, 1));
+  }
+}
+
+TEST(CpuExecutor, PartsCoverEverythingOnceAndNoneIsTooSmall) {
+  for (const int threads : {1, 3})
+    for (const std::size_t count : {0u, 1u, 9u, 20u, 31u, 1000u}) {
+      CpuExecutor executor(threads);
+      std::vector<int> visits(count);
+      executor.for_each_part(count, 10, [&](std::size_t i, std::size_t begin, std::size_t end) {
+        EXPECT_LT(i, static_cast<std::size_t>(threads));
+        EXPECT_GE(end - begin, std::min<std::size_t>(count, 10));
+        for (std::size_t k = begin; k < end; ++k) ++visits[k];
+      });
+      EXPECT_EQ(visits, std::vector<int>(count, 1)) << threads << " threads";
+    }
 }
 
 struct ClearOwnPixelOp {
