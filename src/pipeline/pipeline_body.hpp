@@ -188,14 +188,13 @@ class PipelineBody {
     mark_off_floor(executor_, height, b_.mask_a.view());
     label_components(executor_, b_.depth.view(), b_.mask_a.view(), b_.root.view());
     crease_basins(executor_, height, b_.root.view());
-    executor_.fetch(b_.root, b_.inverse_depth, b_.strength, b_.distance);
+    known_strength(executor_, height, b_.scratch_a.view());
+    executor_.fetch(b_.root, b_.inverse_depth, b_.scratch_a);
     const BasinLandscape landscape{executor_.on_host(b_.root),
                                    executor_.on_host(b_.inverse_depth),
                                    1 / double{InverseDepthOp::units_per_inverse_metre},
-                                   executor_.on_host(b_.strength),
-                                   executor_.on_host(b_.distance),
-                                   params_.cd.depth_guard_px,
-                                   crease_strength_of(params_.cd.floor_deg),
+                                   executor_.on_host(b_.scratch_a),
+                                   height.floor,
                                    camera_};
     merging_.merge(landscape, params_.merge, noise_, regions_);
     executor_.upload(std::as_const(regions_).view(), b_.root.view());

@@ -8,6 +8,24 @@
 
 namespace facet {
 
+/// Above every crease strength.
+inline constexpr float unknown_strength = 9.0f;
+
+/// The strength where it is known: farther than the guard from the nearest depth edge; unknown_strength
+/// elsewhere.
+struct KnownStrengthOp {
+  static constexpr int radius = 0;
+  ImageView<const float> strength;
+  ImageView<const std::uint8_t> distance_px;
+  int guard_px;
+  ImageView<float> known;
+
+  template <class Access>
+  FACET_HD void operator()(int x, int y, Access) const {
+    known(x, y) = distance_px(x, y) > guard_px ? strength(x, y) : unknown_strength;
+  }
+};
+
 /// Height of the landscape that water runs down: the crease strength where it is known; where a depth edge is
 /// too near for it, above every known strength and falling away from the edge, so that such pixels are
 /// reached last and from the inside. Barriers (depth edges, missing pixels) are infinitely high. What lies
@@ -77,6 +95,12 @@ void crease_basins(Executor& executor, const CreaseHeight& height, ImageView<std
 template <class Executor>
 void mark_off_floor(Executor& executor, const CreaseHeight& height, ImageView<std::uint8_t> off_floor) {
   executor.for_each_pixel(off_floor.size(), OffFloorOp{height, off_floor});
+}
+
+template <class Executor>
+void known_strength(Executor& executor, const CreaseHeight& height, ImageView<float> known) {
+  executor.for_each_pixel(known.size(),
+                          KnownStrengthOp{height.strength, height.distance_px, height.guard_px, known});
 }
 
 /// Marks, of every two 4-neighbours in different regions, the upper or left one: a closed line.

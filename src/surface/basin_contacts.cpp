@@ -13,9 +13,9 @@ void collect_contacts(const BasinLandscape& landscape, ImageView<const std::int3
     const int other_x = down ? x : x + 1, other_y = down ? y + 1 : y;
     const std::int32_t here = region(x, y), there = region(other_x, other_y);
     if (here < 0 || there < 0) return;
-    contacts.push_back(
-        {std::min(here, there), std::max(here, there), 2 * (y * region.width + x) + (down ? 1 : 0),
-         std::max(landscape.known_strength(x, y), landscape.known_strength(other_x, other_y))});
+    contacts.push_back({std::min(here, there), std::max(here, there),
+                        2 * (y * region.width + x) + (down ? 1 : 0),
+                        std::max(landscape.strength(x, y), landscape.strength(other_x, other_y))});
   });
 }
 

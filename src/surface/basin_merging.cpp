@@ -42,18 +42,22 @@ bool BasinMerging::has_changed(int i) {
              judged.pixels;
 }
 
-void BasinMerging::judge(int i) {
+bool BasinMerging::judge(int i) {
   const BasinBorder& border = graph_.border(i);
   const int a = graph_.find(border.a), b = graph_.find(border.b);
   Judgement& judged = judgements_[static_cast<std::size_t>(i)];
   judged = {graph_.moments(a).count() + graph_.moments(b).count(), border.length, judged.serial + 1};
-  if (border.strength() > most_strength_) return;
+  if (border.strength() > most_strength_) return false;
   const auto [excess, expected] =
       seam_difference(fits_[static_cast<std::size_t>(a)], fits_[static_cast<std::size_t>(b)], border.seam,
                       focal_px_, tolerance_);
-  if (excess >= 1) return;
+  if (excess >= 1) return false;
   candidates_.push_back({static_cast<float>(expected), i, judged.serial});
-  std::push_heap(candidates_.begin(), candidates_.end(), is_later);
+  return true;
+}
+
+void BasinMerging::judge_anew(int i) {
+  if (judge(i)) std::push_heap(candidates_.begin(), candidates_.end(), is_later);
 }
 
 /// Whether the patch fitted to both regions explains them as well as two do: what it adds to the squares is
@@ -75,7 +79,7 @@ bool BasinMerging::join_across(int i) {
   // Other borders of the larger one are judged anew when their turn comes.
   const std::span<const int> touched = graph_.join(a, b);
   fits_[static_cast<std::size_t>(graph_.find(a))] = fit;
-  for (const int k : touched) judge(k);
+  for (const int k : touched) judge_anew(k);
   return true;
 }
 
@@ -85,6 +89,7 @@ bool BasinMerging::join_alike(float most_strength) {
   candidates_.clear();
   for (std::size_t i = 0; i < judgements_.size(); ++i)
     if (graph_.border(static_cast<int>(i)).length > 0) judge(static_cast<int>(i));
+  std::make_heap(candidates_.begin(), candidates_.end(), is_later);
   while (!candidates_.empty()) {
     std::pop_heap(candidates_.begin(), candidates_.end(), is_later);
     const Candidate best = candidates_.back();
@@ -92,7 +97,7 @@ bool BasinMerging::join_alike(float most_strength) {
     const bool is_gone = graph_.border(best.border).length == 0;
     if (is_gone || best.serial != judgements_[static_cast<std::size_t>(best.border)].serial) continue;
     if (has_changed(best.border))
-      judge(best.border);
+      judge_anew(best.border);
     else
       joined |= join_across(best.border);
   }

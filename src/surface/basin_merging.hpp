@@ -41,7 +41,9 @@ class BasinMerging {
   double reading_variance(const PatchMoments& moments) const;
   PatchFit fitted(const PatchMoments& moments) const;
   bool has_changed(int border);
-  void judge(int border);
+  /// Whether the border is a candidate, the last one then.
+  bool judge(int border);
+  void judge_anew(int border);
   bool explains_both(const PatchFit& fit, const PatchMoments& both, int a, int b) const;
   bool join_across(int border);
   /// Whether it joined any; what it refused may be alike when its sides have grown.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/run.hpp"
+#include "core/clones.hpp"
 
 namespace facet {
 namespace {
@@ -20,30 +20,50 @@ double step_at(const BasinLandscape& l, int place, const ShallowLimits& limits) 
   return std::abs(here - there) / (here * most);
 }
 
+/// Names to numbers, as vectors.
+FACET_CPU_CLONES void number_row(const std::int32_t* name, const std::int32_t* number, int width,
+                                 std::int32_t* region) {
+#pragma GCC ivdep
+  for (int x = 0; x < width; ++x) {
+    const std::int32_t of_name = number[std::max(name[x], 0)];
+    region[x] = name[x] < 0 ? -1 : of_name;
+  }
+}
+
 }  // namespace
 
+/// A basin is named by one of its own pixels.
 void ShallowBasins::number_basins(const BasinLandscape& l, ImageView<std::int32_t> region) {
-  basins_.clear();
-  number_.assign(static_cast<std::size_t>(region.size().area()), -1);
+  number_.resize(static_cast<std::size_t>(region.size().area()));
+  int count = 0;
+  for (int y = 0; y < region.height; ++y) {
+    const std::int32_t* name = l.basin.row(y);
+    for (int x = 0, i = y * region.width; x < region.width; ++x, ++i)
+      if (name[x] == i) number_[static_cast<std::size_t>(i)] = count++;
+  }
   for (int y = 0; y < region.height; ++y)
-    for (int begin = 0, end = 0; begin < region.width; begin = end) {
-      const std::int32_t name = l.basin(begin, y);
-      end = end_of_run(l.basin.row(y), begin + 1, region.width, name);
-      if (name < 0) {
-        std::fill(region.row(y) + begin, region.row(y) + end, -1);
-        continue;
-      }
-      std::int32_t& number = number_[static_cast<std::size_t>(name)];
-      if (number < 0) {
-        number = static_cast<std::int32_t>(basins_.size());
-        // Water that runs down ends in the pixel that names the basin, or on its level ground.
-        basins_.push_back({0, l.known_strength(name % region.width, name / region.width)});
-      }
-      std::fill(region.row(y) + begin, region.row(y) + end, number);
-      basin(number).count_px += end - begin;
-      if (float& bottom = basin(number).bottom; bottom <= l.floor)
-        for (int x = begin; x < end; ++x) bottom = std::min(bottom, l.known_strength(x, y));
-    }
+    number_row(l.basin.row(y), number_.data(), region.width, region.row(y));
+  measure_basins(l, region, count);
+}
+
+/// Neighbours are mostly of one basin, whose sums would have to wait for each other: pixels of distant rows
+/// take turns. What is in no basin is counted before the first one.
+void ShallowBasins::measure_basins(const BasinLandscape& l, ImageView<const std::int32_t> region, int count) {
+  constexpr int turns = 4;
+  basins_.assign(static_cast<std::size_t>(count) + 1, {0, unknown_strength});
+  Basin* const first = basins_.data() + 1;
+  const int rows = (region.height + turns - 1) / turns;
+  const auto add = [&](int x, int y) {
+    Basin& basin = first[region(x, y)];
+    ++basin.count_px;
+    basin.bottom = std::min(basin.bottom, l.strength(x, y));
+  };
+  for (int y = 0; y < rows; ++y) {
+    const int used = (region.height - y + rows - 1) / rows;
+    for (int x = 0; x < region.width; ++x)
+      for (int k = 0; k < used; ++k) add(x, y + k * rows);
+  }
+  basins_.erase(basins_.begin());
 }
 
 bool ShallowBasins::is_shallow(const Pass& pass, const Basin& a, const Basin& b) const {

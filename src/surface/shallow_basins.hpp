@@ -28,7 +28,7 @@ struct ShallowLimits {
 class ShallowBasins {
  public:
   /// A basin is as deep as its lowest pass is above its bottom (its topographic dynamics); noise is
-  /// landscape.floor deep. `region` receives numbers from 0 on in the order of their first pixels, -1 = none,
+  /// landscape.floor deep. `region` receives numbers from 0 on in the order of their names, -1 = none,
   /// and `contacts` all between those; returns how many there are.
   int join(const BasinLandscape& landscape, const ShallowLimits& limits, Image<std::int32_t>& region,
            std::vector<BasinContact>& contacts);
@@ -43,6 +43,7 @@ class ShallowBasins {
     int a, b;
   };
   void number_basins(const BasinLandscape& landscape, ImageView<std::int32_t> region);
+  void measure_basins(const BasinLandscape& landscape, ImageView<const std::int32_t> region, int count);
   bool is_shallow(const Pass& pass, const Basin& a, const Basin& b) const;
   bool are_blind(const Basin& a, const Basin& b) const;
   bool may_join(const Pass& pass) const;

@@ -142,6 +142,18 @@ TEST(Basins, TakePixelsNearADepthEdgeFromTheInsideOut) {
     for (int x = 1; x < 41; ++x) EXPECT_EQ(root(x, y), guard_px + 1) << x << ", " << y;
 }
 
+TEST(KnownStrength, EndsAtTheGuardBesideDepthEdges) {
+  const Size size{9, 3};
+  const auto distance = make_image<std::uint8_t>(size, [](int x, int) { return x; });
+  const Image<float> strength(size, 0.5f);
+  expect_same_on_every_executor([&](auto& executor) {
+    Image<float> known(size);
+    known_strength(executor, CreaseHeight{strength.view(), distance.view(), guard_px, 0}, known.view());
+    for (int x = 0; x < 9; ++x) EXPECT_EQ(known(x, 1), x <= guard_px ? unknown_strength : 0.5f);
+    return known;
+  });
+}
+
 TEST(RegionBorders, CloseEveryRegion) {
   CpuExecutor executor;
   const Size size{61, 43};

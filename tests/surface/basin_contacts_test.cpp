@@ -13,11 +13,9 @@ TEST(CollectContacts, NamesBothRegionsThePlaceAndTheStrongerStrength) {
   region(0, 1) = 1, region(2, 1) = -1;  // 4 4 4
   Image<float> strength(size, 0.25f);   // 1 4 -
   strength(0, 0) = 0.75f;
-  Image<std::uint8_t> distance(size, 9);
-  distance(1, 1) = 3;
+  strength(1, 1) = unknown_strength;
   std::vector<BasinContact> contacts(1);
-  collect_contacts({region.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3, 0,
-                    Camera{100, 100, 0, 0}},
+  collect_contacts({region.view(), inverse_depth.view(), 0.001, strength.view(), 0, Camera{100, 100, 0, 0}},
                    region.view(), contacts);
   ASSERT_EQ(contacts.size(), 2u);
   EXPECT_EQ(contacts[0].a, 1);

@@ -24,14 +24,12 @@ BasinGraph graph_of(const BasinLandscape& landscape, int count) {
 struct Columns {
   Image<std::int32_t> basin{size}, inverse_depth{size, 1000};
   Image<float> strength{size, 0.25f};
-  Image<std::uint8_t> distance{size, 9};
   Columns() {
     for (int y = 0; y < size.height; ++y)
       for (int x = 0; x < size.width; ++x) basin(x, y) = x / 4;
   }
   BasinGraph graph(int count = 3) const {
-    return graph_of({basin.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3, 0,
-                     Camera{100, 100, 0, 0}},
+    return graph_of({basin.view(), inverse_depth.view(), 0.001, strength.view(), 0, Camera{100, 100, 0, 0}},
                     count);
   }
 };
@@ -61,7 +59,7 @@ TEST(BasinGraph, KnowsPixelsStrengthsAndNeighboursOfEveryBasin) {
 
 TEST(BasinGraph, ABorderNearDepthEdgesHasNoKnownStrength) {
   Columns columns;
-  for (int y = 0; y < size.height - 2; ++y) columns.distance(3, y) = 3;
+  for (int y = 0; y < size.height - 2; ++y) columns.strength(3, y) = unknown_strength;
   BasinGraph graph = columns.graph();
   EXPECT_EQ(graph.borders()[0].known, 2);
   EXPECT_EQ(graph.borders()[0].strength(), unknown_strength);
@@ -110,9 +108,8 @@ TEST(BasinGraph, ThePointsOfALongBorderAreSpreadOverIt) {
     for (int x = 0; x < tall.width; ++x) basin(x, y) = x >= 2 ? 1 : y < 40 ? 0 : 2;
   const Image<float> strength(tall, 0.25f);
   const Image<std::uint8_t> distance(tall, 9);
-  BasinGraph graph = graph_of({basin.view(), inverse_depth.view(), 0.001, strength.view(), distance.view(), 3,
-                               0, Camera{100, 100, 0, 0}},
-                              3);
+  BasinGraph graph =
+      graph_of({basin.view(), inverse_depth.view(), 0.001, strength.view(), 0, Camera{100, 100, 0, 0}}, 3);
   graph.join(0, 2);
   ASSERT_EQ(borders_of(graph, 0).size(), 1u);
   const Seam& seam = graph.border(borders_of(graph, 0)[0]).seam;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
 #include "core/camera.hpp"
@@ -22,12 +23,20 @@ double normal_number(std::uint64_t seed, std::uint64_t index) {
   return sum;
 }
 
+/// The same basins, each named by its first pixel.
+Image<std::int32_t> named_by_first_pixel(Image<std::int32_t> basin) {
+  std::map<std::int32_t, std::int32_t> name;
+  for (int y = 0; y < basin.height(); ++y)
+    for (int x = 0; x < basin.width(); ++x)
+      if (basin(x, y) >= 0) basin(x, y) = name.try_emplace(basin(x, y), y * basin.width() + x).first->second;
+  return basin;
+}
+
 /// Depth of a scene cut into square basins, with the crease strength that an ideal normal fit would give: the
 /// chord of the angle between the normals four pixels to the left and to the right.
 struct Landscape {
   Image<std::int32_t> basin{size}, inverse_depth{size};
   Image<float> strength{size};
-  Image<std::uint8_t> distance{size, 9};
 
   Landscape(const std::function<double(double)>& depth_m,
             const std::function<double(double)>& normal_angle_rad, double noise_m, int basin_px) {
@@ -44,9 +53,9 @@ struct Landscape {
   }
   Image<std::int32_t> merged(const MergeParams& params = {}) const {
     Image<std::int32_t> region;
-    BasinMerging().merge(
-        {basin.view(), inverse_depth.view(), unit, strength.view(), distance.view(), 3, 0.087f, camera},
-        params, kinect_v1_noise(), region);
+    const Image<std::int32_t> named = named_by_first_pixel(basin);
+    BasinMerging().merge({named.view(), inverse_depth.view(), unit, strength.view(), 0.087f, camera}, params,
+                         kinect_v1_noise(), region);
     return region;
   }
 };
@@ -208,9 +217,8 @@ TEST(BasinMerging, IsTheSameForASecondFrame) {
   BasinMerging merging;
   Image<std::int32_t> region;
   for (const Landscape* l : {&scene, &other, &scene})
-    merging.merge({l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), l->distance.view(), 3,
-                   0.087f, camera},
-                  {}, kinect_v1_noise(), region);
+    merging.merge({l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), 0.087f, camera}, {},
+                  kinect_v1_noise(), region);
   const Image<std::int32_t> fresh = scene.merged();
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) ASSERT_EQ(region(x, y), fresh(x, y));

@@ -19,7 +19,6 @@ const Camera camera{500, 500, 29.5f, 19.5f};
 struct Ridge {
   Image<std::int32_t> basin{size}, inverse_depth{size};
   Image<float> strength{size};
-  Image<std::uint8_t> distance{size, 9};
   std::array<PatchFit, 2> patches;
 
   explicit Ridge(double slope, double noise = 0) {
@@ -39,8 +38,7 @@ struct Ridge {
     Image<std::int32_t> region(size);
     for (int y = 0; y < size.height; ++y)
       for (int x = 0; x < size.width; ++x) region(x, y) = y == 7 ? -1 : x < begin ? 0 : 1;
-    const BasinLandscape landscape{
-        basin.view(), inverse_depth.view(), unit, strength.view(), distance.view(), 3, 0, camera};
+    const BasinLandscape landscape{basin.view(), inverse_depth.view(), unit, strength.view(), 0, camera};
     BorderCompetition().run({landscape, patches, kinect_v1_noise(), 1}, passes, region.view());
     return region;
   }

@@ -19,7 +19,6 @@ bool are_equal(const BasinContact& l, const BasinContact& r) {
 struct Columns {
   Image<std::int32_t> basin{size}, inverse_depth{size, 1000};
   Image<float> strength{size, 0.2f};
-  Image<std::uint8_t> distance{size, 9};
   Columns(float first_pass, float second_pass) {
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) basin(x, y) = x / 8 * 8;
@@ -29,9 +28,8 @@ struct Columns {
   Image<std::int32_t> joined(const ShallowLimits& limits, int expected_count) const {
     Image<std::int32_t> region;
     std::vector<BasinContact> contacts, expected;
-    const BasinLandscape landscape{basin.view(),    inverse_depth.view(),  0.001,
-                                   strength.view(), distance.view(),       3,
-                                   floor_strength,  Camera{100, 100, 0, 0}};
+    const BasinLandscape landscape{basin.view(),    inverse_depth.view(), 0.001,
+                                   strength.view(), floor_strength,       Camera{100, 100, 0, 0}};
     EXPECT_EQ(ShallowBasins().join(landscape, limits, region, contacts), expected_count);
     collect_contacts(landscape, std::as_const(region).view(), expected);
     EXPECT_TRUE(std::equal(contacts.begin(), contacts.end(), expected.begin(), expected.end(), are_equal));
@@ -75,7 +73,7 @@ TEST(ShallowBasins, JoinTheNeighbourAcrossTheLowestPassAndAreAsDeepAsItThen) {
 
 TEST(ShallowBasins, HaveNoPassWhereTheStrengthIsNotKnown) {
   Columns columns(0.25f, 0.25f);
-  for (int y = 0; y < size.height; ++y) columns.distance(7, y) = 3;
+  for (int y = 0; y < size.height; ++y) columns.strength(7, y) = unknown_strength;
   const Image<std::int32_t> region = columns.joined({40}, 2);
   EXPECT_NE(region(0, 0), region(8, 0));
   EXPECT_EQ(region(8, 0), region(16, 0));
@@ -87,7 +85,7 @@ struct BlindColumns : Columns {
   BlindColumns() : Columns(0.25f, 0.25f) {
     for (int y = 0; y < size.height; ++y)
       for (int x = 0; x < size.width; ++x) {
-        distance(x, y) = 3;
+        strength(x, y) = unknown_strength;
         inverse_depth(x, y) = x < 8 ? 1011 : x < 16 ? 1001 : 1000;
       }
   }
@@ -112,7 +110,7 @@ TEST(ShallowBasins, ThoseThatSeeNoStrengthStayApartAcrossALargerStep) {
 
 TEST(ShallowBasins, ABasinThatSeesNoStrengthJoinsNoneThatDoes) {
   BlindColumns columns;
-  columns.distance(16, 0) = 9;
+  columns.strength(16, 0) = 0.2f;
   const Image<std::int32_t> region = columns.joined({0, 1000, 0.005}, 3);
   EXPECT_NE(region(8, 0), region(16, 0));
 }
