@@ -2,14 +2,12 @@
 
 #include <cstdint>
 
+#include "core/crease_strength.hpp"
 #include "core/image_view.hpp"
 #include "core/neighbours.hpp"
 #include "core/pixel_forest.hpp"
 
 namespace facet {
-
-/// Above every crease strength.
-inline constexpr float unknown_strength = 9.0f;
 
 /// The strength where it is known: farther than the guard from the nearest depth edge; unknown_strength
 /// elsewhere.

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "core/camera.hpp"
+#include "core/crease_strength.hpp"
 #include "core/image_view.hpp"
-#include "stage/basins.hpp"
 
 namespace facet {
 
