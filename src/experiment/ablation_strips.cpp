@@ -68,9 +68,8 @@ void write_ablation_strips(const AblationPlan& ablation, const Plan& plan, const
         const std::string frame = portable_name(planned.data->frame_id(index));
         const auto steps = read_steps(run / "predictions", methods, planned.data->name(), frame);
         if (steps.empty()) continue;
-        constexpr int fast = 1;
         write_png_file(run / "strips" / folder / planned.data->name() / (frame + ".png"),
-                       draw_strip(planned.data->load(index), steps), fast);
+                       draw_strip(planned.data->load(index), steps), PngEffort::least_time);
       }
     }
   }

@@ -35,11 +35,12 @@ ImageFile read_image_file(const std::filesystem::path& path) {
   return image;
 }
 
-void write_png_file(const std::filesystem::path& path, const cv::Mat& pixels, int compression) {
+void write_png_file(const std::filesystem::path& path, const cv::Mat& pixels, PngEffort effort) {
   std::vector<std::uint8_t> bytes;
-  // Settings are spelled out, because the library's defaults differ from version to version.
-  const std::vector<int> settings{cv::IMWRITE_PNG_COMPRESSION, compression, cv::IMWRITE_PNG_STRATEGY,
-                                  cv::IMWRITE_PNG_STRATEGY_DEFAULT};
+  // Settings are spelled out, because the library's defaults differ from version to version. Without a level
+  // it takes zlib's fastest, and one filter in place of the best of five for each row.
+  std::vector<int> settings{cv::IMWRITE_PNG_STRATEGY, cv::IMWRITE_PNG_STRATEGY_DEFAULT};
+  if (effort == PngEffort::least_space) settings.insert(settings.end(), {cv::IMWRITE_PNG_COMPRESSION, 6});
   if (!cv::imencode(".png", pixels, bytes, settings))
     throw Error(ErrorKind::internal, printable(path) + ": image cannot be encoded");
   write_file_atomically(path, bytes);

@@ -71,9 +71,9 @@ ProgramFiles ProgramFiles::of_frame(const std::string& name) const {
 }
 
 void write_program_input(const Frame& frame, const ExternalParams& params, const ProgramFiles& files) {
-  constexpr int quick = 1;
-  write_png_file(files.depth, depth_units(frame.depth_m, params.depth_unit_mm), quick);
-  if (asks_for(params, "{color}") && !frame.color.empty()) write_png_file(files.color, frame.color, quick);
+  write_png_file(files.depth, depth_units(frame.depth_m, params.depth_unit_mm), PngEffort::least_time);
+  if (asks_for(params, "{color}") && !frame.color.empty())
+    write_png_file(files.color, frame.color, PngEffort::least_time);
   if (asks_for(params, "{intrinsics}"))
     write_file_atomically(files.intrinsics, intrinsics_json(frame, params));
 }

@@ -91,8 +91,7 @@ cv::Mat draw_comparison(const Frame& frame, const Prediction& prediction,
 
 void write_overlays(const Frame& frame, const Prediction& prediction,
                     const std::filesystem::path& directory) {
-  constexpr int fast = 1;
-  write_png_file(directory / (frame.id + ".png"), draw_overlay(frame, prediction), fast);
+  write_png_file(directory / (frame.id + ".png"), draw_overlay(frame, prediction), PngEffort::least_time);
 }
 
 }  // namespace facet

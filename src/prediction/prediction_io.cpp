@@ -28,9 +28,9 @@ void write_prediction(const Prediction& prediction, const std::filesystem::path&
   if (prediction.edges.empty()) {
     std::filesystem::remove(files.edges);  // of an earlier prediction that had edges
   } else {
-    write_png_file(files.edges, as_mat(prediction.edges));
+    write_png_file(files.edges, as_mat(prediction.edges), PngEffort::least_time);
   }
-  write_png_file(files.labels, as_mat(prediction.labels));
+  write_png_file(files.labels, as_mat(prediction.labels), PngEffort::least_time);
 }
 
 Prediction read_prediction(const std::filesystem::path& stem) {

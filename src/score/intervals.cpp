@@ -7,6 +7,23 @@
 #include "core/random.hpp"
 
 namespace facet {
+namespace {
+
+/// Where a quantile lies among sorted values: between two of them.
+struct Quantile {
+  std::size_t below, above;
+  double share;  ///< of the way from one to the other
+
+  Quantile(std::size_t count, double q) {
+    const double position = q * static_cast<double>(count - 1);
+    below = static_cast<std::size_t>(position);
+    above = std::min(below + 1, count - 1);
+    share = position - static_cast<double>(below);
+  }
+  double between(double lower, double upper) const { return lower + share * (upper - lower); }
+};
+
+}  // namespace
 
 Interval wilson_interval(double hit, double n) {
   constexpr double z = 1.959963984540054;
@@ -45,15 +62,21 @@ void for_each_resample(const std::vector<std::string>& sequences, const Bootstra
 
 std::optional<Interval> percentile_interval(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  return Interval{sorted_quantile(values, 0.025), sorted_quantile(values, 0.975)};
+  return Interval{quantile(values, 0.025), quantile(values, 0.975)};
 }
 
 double sorted_quantile(std::span<const double> sorted, double q) {
-  const double position = q * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+  const Quantile place(sorted.size(), q);
+  return place.between(sorted[place.below], sorted[place.above]);
+}
+
+/// Sorts no more than it takes to know the two values that it lies between.
+double quantile(std::span<double> values, double q) {
+  const Quantile place(values.size(), q);
+  const auto below = values.begin() + static_cast<std::ptrdiff_t>(place.below);
+  std::nth_element(values.begin(), below, values.end());
+  const auto rest = values.begin() + static_cast<std::ptrdiff_t>(place.above);
+  return place.between(*below, *std::min_element(rest, values.end()));
 }
 
 }  // namespace facet

@@ -32,5 +32,7 @@ void for_each_resample(const std::vector<std::string>& sequences, const Bootstra
 std::optional<Interval> percentile_interval(std::vector<double> values);
 /// Quantile q in [0, 1] of sorted values. Needs at least one value.
 double sorted_quantile(std::span<const double> sorted, double q);
+/// The same of values in any order, which it changes.
+double quantile(std::span<double> values, double q);
 
 }  // namespace facet

@@ -1,5 +1,6 @@
 #include "score/intervals.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -63,6 +64,17 @@ TEST(Intervals, QuantilesLieBetweenOrderStatistics) {
   EXPECT_DOUBLE_EQ(sorted_quantile(sorted, 0), 1);
   EXPECT_DOUBLE_EQ(sorted_quantile(sorted, 0.5), 2.5);
   EXPECT_DOUBLE_EQ(sorted_quantile(sorted, 1), 4);
+}
+
+TEST(Intervals, AQuantileOfValuesInAnyOrderIsThatOfTheSortedOnes) {
+  for (const std::size_t count : {1, 2, 7, 1000}) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i) values[i] = static_cast<double>(i * 7919 % 31) / 3;
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    for (const double q : {0.0, 0.025, 0.5, 0.975, 1.0})
+      EXPECT_EQ(quantile(values, q), sorted_quantile(sorted, q)) << count << ", " << q;
+  }
 }
 
 }  // namespace
