@@ -5,6 +5,7 @@
 #include <cstring>
 #include <optional>
 
+#include "core/host_threads.hpp"
 #include "core/launch.hpp"
 #include "cuda/device_image.cuh"
 #include "cuda/event_timer.cuh"
@@ -26,7 +27,7 @@ struct DeviceScratch {
 /// device or, in the tests, where the device is emulated, what stands for them. Throws Error{not_measured}
 /// where the device cannot (no memory), Error{internal} where a kernel failed.
 template <class Kernels>
-class StreamExecutor {
+class StreamExecutor : public HostThreads {
  public:
   template <class T>
   using Image = DeviceImage<T>;
@@ -101,13 +102,6 @@ class StreamExecutor {
   void fetch(const Image<T>&... images) {
     if ((static_cast<int>(images.ask_for_copy(work_, queue_)) + ...) > 0) queue_.finish();
   }
-
-  /// work(i, worker) for i = 0 ... count - 1, on the host; see CpuExecutor.
-  template <class Work>
-  void share_out(int count, const Work& work) {
-    for (int i = 0; i < count; ++i) work(i, 0);
-  }
-  int workers() const { return 1; }
 
   /// Flag that operations of an iterated pass raise when they changed something.
   int* changed_flag() {

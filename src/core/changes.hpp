@@ -10,15 +10,16 @@
 namespace facet {
 
 /// Calls visit(x, y, down) for every two 4-neighbours with different values, in raster order of the first
-/// one, (x, y); the second one lies to its right, or below it if `down`. Like neighbours cost little: rows
-/// are compared as vectors, and eight pixels without a change are passed at once.
+/// one, (x, y), which is in the rows begin_y ... end_y - 1; the second one lies to its right, or below it if
+/// `down`. Like neighbours cost little: rows are compared as vectors, and eight pixels without a change are
+/// passed at once.
 template <class T, class Visit>
-void for_each_change(ImageView<const T> image, const Visit& visit) {
+void for_each_change(ImageView<const T> image, int begin_y, int end_y, const Visit& visit) {
   static_assert(std::endian::native == std::endian::little);
   constexpr int piece = 256;
   constexpr std::uint8_t to_right = 1, to_below = 2;
   std::uint8_t changes[piece];
-  for (int y = 0; y < image.height; ++y)
+  for (int y = begin_y; y < end_y; ++y)
     for (int begin = 0; begin < image.width; begin += piece) {
       const int count = std::min(piece, image.width - begin);
       const T* row = image.row(y) + begin;
@@ -39,6 +40,12 @@ void for_each_change(ImageView<const T> image, const Visit& visit) {
         }
       }
     }
+}
+
+/// In all rows.
+template <class T, class Visit>
+void for_each_change(ImageView<const T> image, const Visit& visit) {
+  for_each_change(image, 0, image.height, visit);
 }
 
 }  // namespace facet

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "core/clones.hpp"
+#include "core/host_threads.hpp"
 #include "core/image.hpp"
+#include "core/sparse_row.hpp"
 #include "cpu/scratch.hpp"
-#include "cpu/sparse_row.hpp"
 
 namespace facet {
 
@@ -22,12 +23,12 @@ namespace facet {
 ///
 /// A pixel operation `op` is a trivially copyable struct with `radius` (how far it reads) and
 /// `op(x, y, access)`; it writes its own pixel only.
-class CpuExecutor {
+class CpuExecutor : public HostThreads {
  public:
   template <class T>
   using Image = facet::Image<T>;
 
-  explicit CpuExecutor(int threads = 1) : threads_(threads), arena_(threads) {}
+  explicit CpuExecutor(int threads = 1) : HostThreads(threads), arena_(threads) {}
 
   /// op(x, y, access) for every pixel.
   template <class Op>
@@ -52,48 +53,6 @@ class CpuExecutor {
     for_each_band(size.height, [&](int begin, int end) {
       for (int y = begin; y < end; ++y)
         for_each_set_in_row(mask, y, [&](int x) { run_pixel(op, size, x, y); });
-    });
-  }
-
-  /// work(y) for every row; for tuned stages.
-  template <class Work>
-  void for_each_row(int rows, const Work& work) {
-    for_each_band(rows, [&](int begin, int end) {
-      for (int y = begin; y < end; ++y) work(y);
-    });
-  }
-
-  /// band(begin, end) for bands of rows, a few for each thread, so that one that begins late has less to do;
-  /// for tuned stages that keep rows at hand.
-  template <class Band>
-  void for_each_band(int rows, const Band& band) {
-    if (threads_ == 1) return band(0, rows);
-    const int bands = 4 * threads_;
-    share_out(bands, [&](int i, int) { band(rows * i / bands, rows * (i + 1) / bands); });
-  }
-
-  /// work(i, worker) for i = 0 ... count - 1, on the host, shared among the threads; `worker`, less than
-  /// workers(), tells apart what may run at the same time.
-  template <class Work>
-  void share_out(int count, const Work& work) {
-    if (threads_ == 1 || count == 1) {
-      for (int i = 0; i < count; ++i) work(i, 0);
-      return;
-    }
-    arena_.execute([&] {
-      tbb::parallel_for(0, count, [&](int i) { work(i, tbb::this_task_arena::current_thread_index()); });
-    });
-  }
-  int workers() const { return threads_; }
-
-  /// part(i, begin, end) for consecutive parts of `count` things, at most one for each worker and none of
-  /// less than `least`, which would not be worth it.
-  template <class Part>
-  void for_each_part(std::size_t count, std::size_t least, const Part& part) {
-    const std::size_t parts = std::clamp<std::size_t>(count / least, 1, static_cast<std::size_t>(threads_));
-    share_out(static_cast<int>(parts), [&](int index, int) {
-      const auto i = static_cast<std::size_t>(index);
-      part(i, count * i / parts, count * (i + 1) / parts);
     });
   }
 
@@ -162,6 +121,12 @@ class CpuExecutor {
   CpuScratch& scratch() { return scratch_; }
 
  private:
+  void run(int count, const Task& task) override {
+    arena_.execute([&] {
+      tbb::parallel_for(0, count, [&](int i) { task(i, tbb::this_task_arena::current_thread_index()); });
+    });
+  }
+
   template <class Op>
   FACET_CPU_CLONES static std::int64_t sum_row(const Op& shared_op, int width, int y) {
     const Op op = shared_op;
@@ -188,7 +153,6 @@ class CpuExecutor {
     for_each_set_in_row(mask.row(y), mask.width, [&](int x) { run_pixel(op, mask.size(), x, y); });
   }
 
-  int threads_;
   tbb::task_arena arena_;
   int changed_ = 0;
   CpuScratch scratch_;

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "core/clones.hpp"
-#include "cpu/sparse_row.hpp"
+#include "core/sparse_row.hpp"
 
 namespace facet {
 namespace {

@@ -196,7 +196,7 @@ class PipelineBody {
                                    executor_.on_host(b_.scratch_a),
                                    height.floor,
                                    camera_};
-    merging_.merge(landscape, params_.merge, noise_, regions_);
+    merging_.merge(executor_, landscape, params_.merge, noise_, regions_);
     executor_.upload(std::as_const(regions_).view(), b_.root.view());
     region_borders(executor_, b_.root.view(), b_.crease_edge.view());
   }

@@ -6,10 +6,10 @@
 
 namespace facet {
 
-void collect_contacts(const BasinLandscape& landscape, ImageView<const std::int32_t> region,
-                      std::vector<BasinContact>& contacts) {
+void collect_contacts(const BasinLandscape& landscape, ImageView<const std::int32_t> region, int begin_y,
+                      int end_y, std::vector<BasinContact>& contacts) {
   contacts.clear();
-  for_each_change(region, [&](int x, int y, bool down) {
+  for_each_change(region, begin_y, end_y, [&](int x, int y, bool down) {
     const int other_x = down ? x : x + 1, other_y = down ? y + 1 : y;
     const std::int32_t here = region(x, y), there = region(other_x, other_y);
     if (here < 0 || there < 0) return;

@@ -35,29 +35,41 @@ float BasinBorder::strength() const {
   return known < min_known_pairs ? unknown_strength : sum / static_cast<float>(known);
 }
 
-void BasinGraph::build(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count,
-                       std::vector<BasinContact>& contacts) {
-  collect_moments(landscape, basin, count);
+void BasinGraph::build(HostThreads& threads, const BasinLandscape& landscape,
+                       ImageView<const std::int32_t> basin, int count, std::vector<BasinContact>& contacts) {
+  collect_moments(threads, landscape, basin, count);
   sets_.reset(count);
   sort_(contacts, count, [](const BasinContact& c) { return c.b; });
   sort_(contacts, count, [](const BasinContact& c) { return c.a; });
-  collect_borders(landscape, contacts);
+  collect_borders(threads, landscape, contacts);
   list_borders();
 }
 
 FACET_CPU_CLONES void BasinGraph::collect_moments(const BasinLandscape& l,
-                                                  ImageView<const std::int32_t> basin, int count) {
-  moments_.assign(static_cast<std::size_t>(count), {});
-  for (int y = 0; y < basin.height; ++y)
+                                                  ImageView<const std::int32_t> basin, int begin_y,
+                                                  int end_y, std::vector<PatchMoments>& moments) {
+  for (int y = begin_y; y < end_y; ++y)
     for (int begin = 0, end = 0; begin < basin.width; begin = end) {
       const std::int32_t number = basin(begin, y);
       end = end_of_run(basin.row(y), begin + 1, basin.width, number);
       if (number < 0) continue;
       const std::int32_t* q = l.inverse_depth.row(y) + begin;
-      moments_[static_cast<std::size_t>(number)].add_run(begin - static_cast<double>(l.camera.cx),
-                                                         y - static_cast<double>(l.camera.cy), end - begin,
-                                                         [&](int k) { return l.inverse_depth_unit * q[k]; });
+      moments[static_cast<std::size_t>(number)].add_run(begin - static_cast<double>(l.camera.cx),
+                                                        y - static_cast<double>(l.camera.cy), end - begin,
+                                                        [&](int k) { return l.inverse_depth_unit * q[k]; });
     }
+}
+
+/// Two halves of the image, for any number of threads, on which sums must not depend.
+void BasinGraph::collect_moments(HostThreads& threads, const BasinLandscape& l,
+                                 ImageView<const std::int32_t> basin, int count) {
+  threads.share_out(2, [&](int half, int) {
+    std::vector<PatchMoments>& moments = half == 0 ? moments_ : lower_moments_;
+    moments.assign(static_cast<std::size_t>(count), {});
+    collect_moments(l, basin, half * basin.height / 2, (half + 1) * basin.height / 2, moments);
+  });
+  for (std::size_t i = 0; i < moments_.size(); ++i)
+    if (lower_moments_[i].count() > 0) moments_[i] += lower_moments_[i];
 }
 
 /// A border from its contacts, in order.
@@ -76,12 +88,18 @@ BasinBorder BasinGraph::border_of(const BasinLandscape& l, std::span<const Basin
   return border;
 }
 
-void BasinGraph::collect_borders(const BasinLandscape& landscape, std::span<const BasinContact> all) {
-  borders_.clear();
-  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
-    while (end < all.size() && all[end].a == all[begin].a && all[end].b == all[begin].b) ++end;
-    borders_.push_back(border_of(landscape, all.subspan(begin, end - begin)));
-  }
+void BasinGraph::collect_borders(HostThreads& threads, const BasinLandscape& landscape,
+                                 std::span<const BasinContact> all) {
+  begins_.clear();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (i == 0 || all[i].a != all[i - 1].a || all[i].b != all[i - 1].b) begins_.push_back(i);
+  borders_.resize(begins_.size());
+  begins_.push_back(all.size());
+  constexpr std::size_t least_borders = 512;  // a tenth of a millisecond
+  threads.for_each_part(borders_.size(), least_borders, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      borders_[i] = border_of(landscape, all.subspan(begins_[i], begins_[i + 1] - begins_[i]));
+  });
 }
 
 void BasinGraph::list_borders() {
@@ -116,18 +134,18 @@ int BasinGraph::border_between(int a, int b) {
   return found;
 }
 
-std::span<const int> BasinGraph::join(int a, int b) {
+void BasinGraph::join(int a, int b, std::vector<int>& touched) {
   if (b < a) std::swap(a, b);
   const auto of = [](std::vector<int>& values, int k) -> int& { return values[static_cast<std::size_t>(k)]; };
   // A large region has hundreds of borders: only those of the other one are visited.
   const int fewer = of(degree_, a) < of(degree_, b) ? a : b, more = fewer == a ? b : a;
-  touched_.clear();
+  touched.clear();
   for_each_border_of(fewer, [&](int i) {
     const int neighbour = neighbour_across(i, fewer);
     const int other = neighbour == more ? -1 : border_between(neighbour, more);
     if (other >= 0) extend(border(other), border(i));
     if (neighbour == more || other >= 0) border(i).length = 0;
-    if (neighbour != more) touched_.push_back(other >= 0 ? other : i);
+    if (neighbour != more) touched.push_back(other >= 0 ? other : i);
   });
   (of(last_, more) < 0 ? of(first_, more) : of(next_, of(last_, more))) = of(first_, fewer);
   if (of(last_, fewer) >= 0) of(last_, more) = of(last_, fewer);
@@ -135,7 +153,6 @@ std::span<const int> BasinGraph::join(int a, int b) {
   of(degree_, a) += of(degree_, b);
   sets_.join(a, b);
   moments_[static_cast<std::size_t>(a)] += moments_[static_cast<std::size_t>(b)];
-  return touched_;
 }
 
 }  // namespace facet

@@ -6,6 +6,7 @@
 
 #include "core/counting_sort.hpp"
 #include "core/disjoint_sets.hpp"
+#include "core/host_threads.hpp"
 #include "surface/basin_contacts.hpp"
 #include "surface/basin_landscape.hpp"
 #include "surface/patch_fit.hpp"
@@ -26,15 +27,15 @@ struct BasinBorder {
 };
 
 /// Basins and the borders between them, joined step by step. A region is named by its first basin; there is
-/// one border between any two regions that touch.
+/// one border between any two regions that touch. What is not linked by borders may be joined at the same
+/// time.
 class BasinGraph {
  public:
   /// `basin`: numbers below `count`, -1 = none; `contacts`: all between them, which are sorted.
-  void build(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count,
-             std::vector<BasinContact>& contacts);
-  /// Makes one region of two. Returns the borders that went from one to the other or grew; valid until the
-  /// next call.
-  std::span<const int> join(int a, int b);
+  void build(HostThreads& threads, const BasinLandscape& landscape, ImageView<const std::int32_t> basin,
+             int count, std::vector<BasinContact>& contacts);
+  /// Makes one region of two. `touched` receives the borders that went from one to the other or grew.
+  void join(int a, int b, std::vector<int>& touched);
   /// The region that a basin belongs to.
   int find(int i) { return sets_.find(i); }
   /// Calls visit(i) for every border of a region.
@@ -60,21 +61,25 @@ class BasinGraph {
   const std::vector<BasinBorder>& borders() const { return borders_; }
 
  private:
-  void collect_moments(const BasinLandscape& landscape, ImageView<const std::int32_t> basin, int count);
-  void collect_borders(const BasinLandscape& landscape, std::span<const BasinContact> contacts);
+  static void collect_moments(const BasinLandscape& landscape, ImageView<const std::int32_t> basin,
+                              int begin_y, int end_y, std::vector<PatchMoments>& moments);
+  void collect_moments(HostThreads& threads, const BasinLandscape& landscape,
+                       ImageView<const std::int32_t> basin, int count);
+  void collect_borders(HostThreads& threads, const BasinLandscape& landscape,
+                       std::span<const BasinContact> contacts);
   static BasinBorder border_of(const BasinLandscape& landscape, std::span<const BasinContact> contacts);
   void list_borders();
   int neighbour_across(int border_index, int region);
   int border_between(int a, int b);
 
-  std::vector<PatchMoments> moments_;
+  std::vector<PatchMoments> moments_, lower_moments_;
   DisjointSets sets_;
   std::vector<BasinBorder> borders_;
   // The borders of every region as a linked list of their sides: 2 i and 2 i + 1 are those of border i.
   std::vector<int> first_, last_;  ///< side by region, -1 = none
   std::vector<int> next_;          ///< side by side, -1 = none
   std::vector<int> degree_;        ///< by region, at least its number of borders
-  std::vector<int> touched_;
+  std::vector<std::size_t> begins_;  ///< of the contacts of each border, and their end
   CountingSort<BasinContact> sort_;
 };
 

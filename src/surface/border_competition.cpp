@@ -1,5 +1,6 @@
 #include "surface/border_competition.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/changes.hpp"
@@ -72,41 +73,63 @@ std::int32_t winner_at(const Competition& c, ImageView<const std::int32_t> regio
 
 }  // namespace
 
-void BorderCompetition::list(int pixel) {
+void BorderCompetition::list(int pixel, std::vector<int>& pixels) {
   std::uint8_t& listed = listed_[static_cast<std::size_t>(pixel)];
-  if (!listed) pixels_.push_back(pixel);
+  if (!listed) pixels.push_back(pixel);
   listed = 1;
 }
 
-void BorderCompetition::list_border_pixels(ImageView<const std::int32_t> region) {
-  pixels_.clear();
+/// Every worker lists those of its own rows, so that it also looks at what changes from the row above.
+void BorderCompetition::list_border_pixels(HostThreads& threads, ImageView<const std::int32_t> region) {
   listed_.assign(static_cast<std::size_t>(region.size().area()), 0);
-  for_each_change(region, [&](int x, int y, bool down) {
-    const int pixel = y * region.width + x;
-    list(pixel);
-    list(pixel + (down ? region.width : 1));
+  const int parts = threads.workers();
+  threads.share_out(parts, [&](int i, int) {
+    std::vector<int>& pixels = parts_[static_cast<std::size_t>(i)].pixels;
+    const int begin_y = region.height * i / parts, end_y = region.height * (i + 1) / parts;
+    pixels.clear();
+    for_each_change(region, std::max(begin_y - 1, 0), end_y, [&](int x, int y, bool down) {
+      const int pixel = y * region.width + x;
+      if (y >= begin_y) list(pixel, pixels);
+      if (y + (down ? 1 : 0) >= begin_y && y + (down ? 1 : 0) < end_y)
+        list(pixel + (down ? region.width : 1), pixels);
+    });
   });
+  pixels_.clear();
+  for (const Part& part : parts_) pixels_.insert(pixels_.end(), part.pixels.begin(), part.pixels.end());
 }
 
 void BorderCompetition::list_pixels_around_moves(Size size) {
   for (const int pixel : pixels_) listed_[static_cast<std::size_t>(pixel)] = 0;
   pixels_.clear();
-  for (const Move& move : moves_) {
-    list(move.pixel);
-    for_each_neighbour4(size, move.pixel, [&](int x, int y) { list(y * size.width + x); });
-  }
+  for (const Part& part : parts_)
+    for (const Move& move : part.moves) {
+      list(move.pixel, pixels_);
+      for_each_neighbour4(size, move.pixel, [&](int x, int y) { list(y * size.width + x, pixels_); });
+    }
 }
 
-void BorderCompetition::run(const Competition& competition, int passes, ImageView<std::int32_t> region) {
-  list_border_pixels(region);
-  for (int pass = 0; pass < passes && !pixels_.empty(); ++pass) {
-    moves_.clear();
-    for (const int pixel : pixels_) {
-      const std::int32_t winner = winner_at(competition, region, pixel);
-      if (winner != region(pixel % region.width, pixel / region.width)) moves_.push_back({pixel, winner});
+void BorderCompetition::find_moves(HostThreads& threads, const Competition& competition,
+                                   ImageView<const std::int32_t> region) {
+  for (Part& part : parts_) part.moves.clear();
+  constexpr std::size_t least_pixels = 1024;  // a tenth of a millisecond
+  threads.for_each_part(pixels_.size(), least_pixels, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::int32_t winner = winner_at(competition, region, pixels_[k]);
+      if (winner != region(pixels_[k] % region.width, pixels_[k] / region.width))
+        parts_[i].moves.push_back({pixels_[k], winner});
     }
-    for (const Move& move : moves_)
-      region(move.pixel % region.width, move.pixel / region.width) = move.region;
+  });
+}
+
+void BorderCompetition::run(HostThreads& threads, const Competition& competition, int passes,
+                            ImageView<std::int32_t> region) {
+  parts_.resize(static_cast<std::size_t>(threads.workers()));
+  list_border_pixels(threads, region);
+  for (int pass = 0; pass < passes && !pixels_.empty(); ++pass) {
+    find_moves(threads, competition, region);
+    for (const Part& part : parts_)
+      for (const Move& move : part.moves)
+        region(move.pixel % region.width, move.pixel / region.width) = move.region;
     list_pixels_around_moves(region.size());
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/depth_noise.hpp"
+#include "core/host_threads.hpp"
 #include "core/image_view.hpp"
 #include "surface/basin_graph.hpp"
 #include "surface/patch_fit.hpp"
@@ -24,20 +25,27 @@ struct Competition {
 class BorderCompetition {
  public:
   /// Borders move by `passes` pixels at most. `region`: per pixel, -1 = none; such pixels stay so.
-  void run(const Competition& competition, int passes, ImageView<std::int32_t> region);
+  void run(HostThreads& threads, const Competition& competition, int passes, ImageView<std::int32_t> region);
 
  private:
   struct Move {
     int pixel;
     std::int32_t region;
   };
-  void list(int pixel);
-  void list_border_pixels(ImageView<const std::int32_t> region);
+  /// What one worker finds.
+  struct Part {
+    std::vector<int> pixels;
+    std::vector<Move> moves;
+  };
+  void list(int pixel, std::vector<int>& pixels);
+  void list_border_pixels(HostThreads& threads, ImageView<const std::int32_t> region);
   void list_pixels_around_moves(Size size);
+  void find_moves(HostThreads& threads, const Competition& competition,
+                  ImageView<const std::int32_t> region);
 
   std::vector<int> pixels_;           ///< to look at in this pass
   std::vector<std::uint8_t> listed_;  ///< by pixel
-  std::vector<Move> moves_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace facet

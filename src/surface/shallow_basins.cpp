@@ -5,65 +5,100 @@
 #include <utility>
 
 #include "core/clones.hpp"
+#include "core/sparse_row.hpp"
+#include "surface/renumber.hpp"
 
 namespace facet {
 namespace {
 
-/// Step of depth across a contact, over the largest one within a surface: what is tolerated, noise, or a step
-/// of the fixed point.
-double step_at(const BasinLandscape& l, int place, const ShallowLimits& limits) {
+/// Step of inverse depth across a contact, and the largest one within a surface: what is tolerated, noise, or a
+/// step of the fixed point.
+struct Step {
+  double size, most;
+};
+Step step_at(const BasinLandscape& l, int place, const ShallowLimits& limits) {
   const int x = place / 2 % l.basin.width, y = place / 2 / l.basin.width;
   const bool down = place % 2 != 0;
   const double here = l.q(x, y), there = down ? l.q(x, y + 1) : l.q(x + 1, y);
   const double noise = double{limits.noise.sigma_m(static_cast<float>(1 / here))} * here;
-  const double most = std::max({limits.step_ratio, limits.step_sigmas * noise, l.inverse_depth_unit / here});
-  return std::abs(here - there) / (here * most);
+  return {std::abs(here - there),
+          std::max(here * std::max(limits.step_ratio, limits.step_sigmas * noise), l.inverse_depth_unit)};
 }
 
-/// Names to numbers, as vectors.
-FACET_CPU_CLONES void number_row(const std::int32_t* name, const std::int32_t* number, int width,
-                                 std::int32_t* region) {
-#pragma GCC ivdep
-  for (int x = 0; x < width; ++x) {
-    const std::int32_t of_name = number[std::max(name[x], 0)];
-    region[x] = name[x] < 0 ? -1 : of_name;
-  }
+/// 1 where a basin is named by the pixel itself.
+FACET_CPU_CLONES void mark_names(const std::int32_t* name, int first, int width, std::uint8_t* is_name) {
+  for (int x = 0; x < width; ++x) is_name[x] = name[x] == first + x;
+}
+
+/// All lists of the parts in a row, in `all`; the first part's is empty then.
+template <class Part, class T>
+void gather(std::vector<Part>& parts, std::vector<T> Part::*list, std::vector<T>& all) {
+  all.clear();
+  all.swap(parts.front().*list);
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    all.insert(all.end(), (parts[i].*list).begin(), (parts[i].*list).end());
 }
 
 }  // namespace
 
+template <class Work>
+void ShallowBasins::for_each_part(HostThreads& threads, const Work& work) {
+  threads.share_out(static_cast<int>(parts_.size()),
+                    [&](int i, int) { work(parts_[static_cast<std::size_t>(i)]); });
+}
+
+void ShallowBasins::lay_out_parts(int height, int count) {
+  parts_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    parts_[static_cast<std::size_t>(i)].begin_y = height * i / count;
+    parts_[static_cast<std::size_t>(i)].end_y = height * (i + 1) / count;
+  }
+}
+
 /// A basin is named by one of its own pixels.
-void ShallowBasins::number_basins(const BasinLandscape& l, ImageView<std::int32_t> region) {
+int ShallowBasins::number_basins(HostThreads& threads, const BasinLandscape& l,
+                                 ImageView<std::int32_t> region) {
   number_.resize(static_cast<std::size_t>(region.size().area()));
+  is_name_.resize(static_cast<std::size_t>(region.width));
   int count = 0;
   for (int y = 0; y < region.height; ++y) {
-    const std::int32_t* name = l.basin.row(y);
-    for (int x = 0, i = y * region.width; x < region.width; ++x, ++i)
-      if (name[x] == i) number_[static_cast<std::size_t>(i)] = count++;
+    const int first = y * region.width;
+    mark_names(l.basin.row(y), first, region.width, is_name_.data());
+    for_each_set_in_row(is_name_.data(), region.width,
+                        [&](int x) { number_[static_cast<std::size_t>(first + x)] = count++; });
   }
-  for (int y = 0; y < region.height; ++y)
-    number_row(l.basin.row(y), number_.data(), region.width, region.row(y));
-  measure_basins(l, region, count);
+  renumber(threads, l.basin, number_, region);
+  return count;
 }
 
 /// Neighbours are mostly of one basin, whose sums would have to wait for each other: pixels of distant rows
 /// take turns. What is in no basin is counted before the first one.
-void ShallowBasins::measure_basins(const BasinLandscape& l, ImageView<const std::int32_t> region, int count) {
+void ShallowBasins::measure_basins(const BasinLandscape& l, ImageView<const std::int32_t> region, int count,
+                                   Part& part) const {
   constexpr int turns = 4;
-  basins_.assign(static_cast<std::size_t>(count) + 1, {0, unknown_strength});
-  Basin* const first = basins_.data() + 1;
-  const int rows = (region.height + turns - 1) / turns;
+  part.basins.assign(static_cast<std::size_t>(count) + 1, {0, unknown_strength});
+  Basin* const first = part.basins.data() + 1;
+  const int rows = (part.end_y - part.begin_y + turns - 1) / turns;
   const auto add = [&](int x, int y) {
     Basin& basin = first[region(x, y)];
     ++basin.count_px;
     basin.bottom = std::min(basin.bottom, l.strength(x, y));
   };
-  for (int y = 0; y < rows; ++y) {
-    const int used = (region.height - y + rows - 1) / rows;
+  for (int y = part.begin_y; y < part.begin_y + rows; ++y) {
+    const int used = (part.end_y - y + rows - 1) / rows;
     for (int x = 0; x < region.width; ++x)
       for (int k = 0; k < used; ++k) add(x, y + k * rows);
   }
-  basins_.erase(basins_.begin());
+  part.basins.erase(part.basins.begin());
+}
+
+void ShallowBasins::add_up_basins() {
+  basins_.swap(parts_.front().basins);
+  for (std::size_t k = 1; k < parts_.size(); ++k)
+    for (std::size_t i = 0; i < basins_.size(); ++i) {
+      const Basin& more = parts_[k].basins[i];
+      basins_[i] = {basins_[i].count_px + more.count_px, std::min(basins_[i].bottom, more.bottom)};
+    }
 }
 
 bool ShallowBasins::is_shallow(const Pass& pass, const Basin& a, const Basin& b) const {
@@ -80,18 +115,21 @@ bool ShallowBasins::may_join(const Pass& pass) const {
   return pass.height < unknown_strength ? is_shallow(pass, a, b) : are_blind(a, b);
 }
 
-/// Those between basins that may be joined, lowest first. Joined basins are larger and their bottom is no
-/// higher, so that the others cannot become candidates later.
-void ShallowBasins::collect_passes(const BasinLandscape& l, std::span<const BasinContact> contacts) {
-  passes_.clear();
-  for (const auto& [a, b, place, strength] : contacts) {
+/// Those between basins that may be joined. Joined basins are larger and their bottom is no higher, so that
+/// the others cannot become candidates later.
+void ShallowBasins::collect_passes(const BasinLandscape& l, Part& part) const {
+  part.passes.clear();
+  for (const auto& [a, b, place, strength] : part.contacts) {
     Pass pass{strength, a, b};
     if (!may_join(pass)) continue;
-    const double step = step_at(l, place, limits_);
-    if (step > 1) continue;
-    if (strength >= unknown_strength) pass.height += static_cast<float>(step);
-    passes_.push_back(pass);
+    const Step step = step_at(l, place, limits_);
+    if (step.size > step.most) continue;
+    if (strength >= unknown_strength) pass.height += static_cast<float>(step.size / step.most);
+    part.passes.push_back(pass);
   }
+}
+
+void ShallowBasins::sort_passes() {
   constexpr float levels_per_chord = 4096;  // a hundredth of a degree
   constexpr int levels = static_cast<int>(levels_per_chord * (unknown_strength + 1)) + 1;
   sort_(passes_, levels, [](const Pass& pass) { return static_cast<int>(levels_per_chord * pass.height); });
@@ -108,16 +146,14 @@ void ShallowBasins::join_passes() {
   }
 }
 
-int ShallowBasins::number_regions(ImageView<std::int32_t> region) {
+/// Numbers by basin.
+int ShallowBasins::number_regions() {
   number_.resize(basins_.size());
   int count = 0;
   for (int i = 0; i < static_cast<int>(basins_.size()); ++i) {
     const int first = sets_.find(i);
     number_[static_cast<std::size_t>(i)] = first == i ? count++ : number_[static_cast<std::size_t>(first)];
   }
-  for (int y = 0; y < region.height; ++y)
-    for (int x = 0; x < region.width; ++x)
-      if (region(x, y) >= 0) region(x, y) = number_[static_cast<std::size_t>(region(x, y))];
   return count;
 }
 
@@ -131,17 +167,27 @@ void ShallowBasins::number_contacts(std::vector<BasinContact>& contacts) const {
   contacts.resize(kept);
 }
 
-int ShallowBasins::join(const BasinLandscape& landscape, const ShallowLimits& limits,
+int ShallowBasins::join(HostThreads& threads, const BasinLandscape& landscape, const ShallowLimits& limits,
                         Image<std::int32_t>& region, std::vector<BasinContact>& contacts) {
   limits_ = limits;
   floor_ = landscape.floor;
   region.resize(landscape.basin.size());
-  number_basins(landscape, region.view());
-  collect_contacts(landscape, std::as_const(region).view(), contacts);
-  collect_passes(landscape, contacts);
+  const ImageView<const std::int32_t> numbers = std::as_const(region).view();
+  lay_out_parts(region.height(), threads.workers());
+  const int basins = number_basins(threads, landscape, region.view());
+  for_each_part(threads, [&](Part& part) { measure_basins(landscape, numbers, basins, part); });
+  add_up_basins();
+  for_each_part(threads, [&](Part& part) {
+    collect_contacts(landscape, numbers, part.begin_y, part.end_y, part.contacts);
+    collect_passes(landscape, part);
+  });
+  gather(parts_, &Part::passes, passes_);
+  sort_passes();
   join_passes();
-  const int count = number_regions(region.view());
-  number_contacts(contacts);
+  const int count = number_regions();
+  renumber(threads, numbers, number_, region.view());
+  for_each_part(threads, [&](Part& part) { number_contacts(part.contacts); });
+  gather(parts_, &Part::contacts, contacts);
   return count;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/image.hpp"
@@ -43,6 +44,11 @@ void expect_all_changes(Size size) {
   std::vector<Change> visited;
   for_each_change(image.view(), [&](int x, int y, bool down) { visited.emplace_back(x, y, down); });
   EXPECT_EQ(visited, expected(image)) << size.width << " x " << size.height;
+  visited.clear();
+  for (const auto& [begin, end] : {std::pair(0, size.height / 2), {size.height / 2, size.height}})
+    for_each_change(image.view(), begin, end,
+                    [&](int x, int y, bool down) { visited.emplace_back(x, y, down); });
+  EXPECT_EQ(visited, expected(image)) << "in two parts";
 }
 
 TEST(ForEachChange, VisitsWhatAComparisonOfEveryTwoNeighboursFindsInItsOrder) {

@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "core/host_threads.hpp"
 #include "core/image.hpp"
 #include "core/launch.hpp"
 
@@ -11,13 +12,14 @@ namespace facet {
 
 /// Executor that emulates a device launch on the CPU: every thread of the grid runs, those beyond the image's
 /// edge too, in shuffled order and under the guarded border rule. What gives other results here than on the
-/// CPU executor depends on the order of threads or misses its guard.
-class ShuffledGridExecutor {
+/// CPU executor depends on the order of threads or misses its guard. What is shared out on the host is
+/// shuffled as well.
+class ShuffledGridExecutor : public HostThreads {
  public:
   template <class T>
   using Image = facet::Image<T>;
 
-  explicit ShuffledGridExecutor(unsigned seed = 1) : engine_(seed) {}
+  explicit ShuffledGridExecutor(unsigned seed = 1) : HostThreads(3), engine_(seed) {}
 
   template <class Op>
   void for_each_pixel(Size size, const Op& op) {
@@ -65,14 +67,6 @@ class ShuffledGridExecutor {
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) image(x, y) = value;
   }
-  /// work(i, worker) for i = 0 ... count - 1, on the host, in any order.
-  template <class Work>
-  void share_out(int count, const Work& work) {
-    shuffle(count);
-    const std::vector<int> order = order_;
-    for (const int i : order) work(i, 0);
-  }
-  int workers() const { return 1; }
   int* changed_flag() { return &changed_; }
   bool take_changed() {
     const bool changed = changed_ != 0;
@@ -85,6 +79,11 @@ class ShuffledGridExecutor {
   }
 
  private:
+  void run(int count, const Task& task) override {
+    shuffle(count);
+    const std::vector<int> order = order_;
+    for (const int i : order) task(i, i % workers());
+  }
   static Image<std::uint8_t> snapshot(ImageView<std::uint8_t> view) {
     Image<std::uint8_t> copy(view.size());
     for (int y = 0; y < view.height; ++y)

@@ -16,7 +16,7 @@ TEST(CollectContacts, NamesBothRegionsThePlaceAndTheStrongerStrength) {
   strength(1, 1) = unknown_strength;
   std::vector<BasinContact> contacts(1);
   collect_contacts({region.view(), inverse_depth.view(), 0.001, strength.view(), 0, Camera{100, 100, 0, 0}},
-                   region.view(), contacts);
+                   region.view(), 0, size.height, contacts);
   ASSERT_EQ(contacts.size(), 2u);
   EXPECT_EQ(contacts[0].a, 1);
   EXPECT_EQ(contacts[0].b, 4);

@@ -14,9 +14,10 @@ constexpr Size size{12, 6};
 /// The graph of the landscape's basins as they are.
 BasinGraph graph_of(const BasinLandscape& landscape, int count) {
   std::vector<BasinContact> contacts;
-  collect_contacts(landscape, landscape.basin, contacts);
+  collect_contacts(landscape, landscape.basin, 0, landscape.basin.height, contacts);
   BasinGraph graph;
-  graph.build(landscape, landscape.basin, count, contacts);
+  HostThreads one_thread;
+  graph.build(one_thread, landscape, landscape.basin, count, contacts);
   return graph;
 }
 
@@ -72,7 +73,8 @@ TEST(BasinGraph, JoinedBasinsShareTheirBorders) {
     for (int x = 0; x < 4; ++x) columns.basin(x, y) = 3;  // cut the first column in two
   BasinGraph graph = columns.graph(4);
   ASSERT_EQ(graph.borders().size(), 4u);
-  const std::span<const int> touched = graph.join(3, 0);
+  std::vector<int> touched;
+  graph.join(3, 0, touched);
   ASSERT_EQ(touched.size(), 1u);
   EXPECT_EQ(graph.border(touched[0]).length, 6);
   EXPECT_EQ(graph.find(3), 0);
@@ -93,9 +95,10 @@ TEST(BasinGraph, JoinedBasinsShareTheirBorders) {
 TEST(BasinGraph, ARegionThatSwallowedAllOthersHasNoBorders) {
   Columns columns;
   BasinGraph graph = columns.graph();
-  graph.join(1, 2);
+  std::vector<int> touched;
+  graph.join(1, 2, touched);
   EXPECT_EQ(borders_of(graph, 0), borders_of(graph, 1));
-  graph.join(0, 1);
+  graph.join(0, 1, touched);
   EXPECT_EQ(graph.find(2), 0);
   EXPECT_TRUE(borders_of(graph, 0).empty());
   EXPECT_EQ(graph.moments(0).count(), size.area());
@@ -110,7 +113,8 @@ TEST(BasinGraph, ThePointsOfALongBorderAreSpreadOverIt) {
   const Image<std::uint8_t> distance(tall, 9);
   BasinGraph graph =
       graph_of({basin.view(), inverse_depth.view(), 0.001, strength.view(), 0, Camera{100, 100, 0, 0}}, 3);
-  graph.join(0, 2);
+  std::vector<int> touched;
+  graph.join(0, 2, touched);
   ASSERT_EQ(borders_of(graph, 0).size(), 1u);
   const Seam& seam = graph.border(borders_of(graph, 0)[0]).seam;
   ASSERT_EQ(seam.count, Seam::most_points);

@@ -8,6 +8,8 @@
 
 #include "core/camera.hpp"
 #include "core/random.hpp"
+#include "support/same_image.hpp"
+#include "support/shuffled_grid.hpp"
 
 namespace facet {
 namespace {
@@ -51,10 +53,10 @@ struct Landscape {
         strength(x, y) = static_cast<float>(2 * std::fabs(std::sin(turn / 2)) + jitter);
       }
   }
-  Image<std::int32_t> merged(const MergeParams& params = {}) const {
+  Image<std::int32_t> merged(const MergeParams& params = {}, HostThreads&& threads = HostThreads()) const {
     Image<std::int32_t> region;
     const Image<std::int32_t> named = named_by_first_pixel(basin);
-    BasinMerging().merge({named.view(), inverse_depth.view(), unit, strength.view(), 0.087f, camera}, params,
+    BasinMerging().merge(threads, {named.view(), inverse_depth.view(), unit, strength.view(), 0.087f, camera}, params,
                          kinect_v1_noise(), region);
     return region;
   }
@@ -212,12 +214,20 @@ TEST(BasinMerging, BordersMoveToTheCrease) {
   EXPECT_LE(wrong({}), size.height);  // 1 px
 }
 
+TEST(BasinMerging, IsTheSameForAnyNumberOfThreads) {
+  Landscape islands = roof(30, 0.003);
+  for (int y = 0; y < size.height; ++y)
+    for (const int barrier : {20, 70}) islands.basin(barrier, y) = -1;
+  EXPECT_TRUE(same_image(islands.merged({}, ShuffledGridExecutor()), islands.merged()));
+}
+
 TEST(BasinMerging, IsTheSameForASecondFrame) {
   const Landscape scene = roof(30, 0.001), other = roof(0, 0.002);
   BasinMerging merging;
+  HostThreads one_thread;
   Image<std::int32_t> region;
   for (const Landscape* l : {&scene, &other, &scene})
-    merging.merge({l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), 0.087f, camera}, {},
+    merging.merge(one_thread, {l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), 0.087f, camera}, {},
                   kinect_v1_noise(), region);
   const Image<std::int32_t> fresh = scene.merged();
   for (int y = 0; y < size.height; ++y)

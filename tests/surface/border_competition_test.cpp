@@ -7,6 +7,8 @@
 
 #include "core/image.hpp"
 #include "core/random.hpp"
+#include "support/same_image.hpp"
+#include "support/shuffled_grid.hpp"
 
 namespace facet {
 namespace {
@@ -34,12 +36,12 @@ struct Ridge {
     for (std::size_t i = 0; i < 2; ++i) patches[i] = moments[i].fit({1e-9, 10, 10});
   }
   /// Regions whose border lies in column `begin`, after the competition.
-  Image<std::int32_t> regions(int begin, int passes) const {
+  Image<std::int32_t> regions(int begin, int passes, HostThreads&& threads = HostThreads()) const {
     Image<std::int32_t> region(size);
     for (int y = 0; y < size.height; ++y)
       for (int x = 0; x < size.width; ++x) region(x, y) = y == 7 ? -1 : x < begin ? 0 : 1;
     const BasinLandscape landscape{basin.view(), inverse_depth.view(), unit, strength.view(), 0, camera};
-    BorderCompetition().run({landscape, patches, kinect_v1_noise(), 1}, passes, region.view());
+    BorderCompetition().run(threads, {landscape, patches, kinect_v1_noise(), 1}, passes, region.view());
     return region;
   }
 };
@@ -67,6 +69,11 @@ TEST(BorderCompetition, MovesByThatManyPixelsAtMost) {
 TEST(BorderCompetition, LeavesWhatIsNoGainBeyondNoise) {
   EXPECT_EQ(farthest_from_crease(Ridge(0.0, 0.002).regions(38, 16)), 8);
   EXPECT_EQ(farthest_from_crease(Ridge(1e-5).regions(33, 16)), 3);
+}
+
+TEST(BorderCompetition, IsTheSameForAnyNumberOfThreads) {
+  const Ridge ridge(0.004, 0.002);
+  EXPECT_TRUE(same_image(ridge.regions(33, 4, ShuffledGridExecutor()), ridge.regions(33, 4)));
 }
 
 TEST(BorderCompetition, PixelsOfNoRegionStaySo) {

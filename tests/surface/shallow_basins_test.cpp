@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <utility>
 
+#include "support/same_image.hpp"
+#include "support/shuffled_grid.hpp"
+
 namespace facet {
 namespace {
 
@@ -25,13 +28,14 @@ struct Columns {
       strength(7, y) = first_pass, strength(15, y) = second_pass;
     }
   }
-  Image<std::int32_t> joined(const ShallowLimits& limits, int expected_count) const {
+  Image<std::int32_t> joined(const ShallowLimits& limits, int expected_count,
+                             HostThreads&& threads = HostThreads()) const {
     Image<std::int32_t> region;
     std::vector<BasinContact> contacts, expected;
     const BasinLandscape landscape{basin.view(),    inverse_depth.view(), 0.001,
                                    strength.view(), floor_strength,       Camera{100, 100, 0, 0}};
-    EXPECT_EQ(ShallowBasins().join(landscape, limits, region, contacts), expected_count);
-    collect_contacts(landscape, std::as_const(region).view(), expected);
+    EXPECT_EQ(ShallowBasins().join(threads, landscape, limits, region, contacts), expected_count);
+    collect_contacts(landscape, std::as_const(region).view(), 0, size.height, expected);
     EXPECT_TRUE(std::equal(contacts.begin(), contacts.end(), expected.begin(), expected.end(), are_equal));
     return region;
   }
@@ -69,6 +73,12 @@ TEST(ShallowBasins, JoinTheNeighbourAcrossTheLowestPassAndAreAsDeepAsItThen) {
   const Image<std::int32_t> region = columns.joined({40}, 2);
   EXPECT_EQ(region(8, 0), region(16, 0));
   EXPECT_NE(region(0, 0), region(8, 0)) << "the pass is 0.21 above both bottoms";
+}
+
+TEST(ShallowBasins, AreTheSameForAnyNumberOfThreads) {
+  const Columns columns(0.26f, 0.22f);
+  EXPECT_TRUE(same_image(columns.joined({40}, 1, ShuffledGridExecutor()), columns.joined({40}, 1)));
+  EXPECT_TRUE(same_image(columns.joined({39}, 3, ShuffledGridExecutor()), columns.joined({39}, 3)));
 }
 
 TEST(ShallowBasins, HaveNoPassWhereTheStrengthIsNotKnown) {

@@ -1,6 +1,7 @@
 #include "cpu/tuned/basins.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/clones.hpp"
 
@@ -46,6 +47,20 @@ FACET_CPU_CLONES void descend_row(const HeightMap& map, int width, int y, std::i
   }
 }
 
+/// Where the pointers from a pixel end, -1 = on a barrier. Leaves what it passes nearer to that; threads may see
+/// each other's doing, which leads to the same basin.
+inline int basin_of(std::vector<int>& next, int pixel) {
+  const auto at = [&next](int i) { return std::atomic_ref<int>(next[static_cast<std::size_t>(i)]); };
+  int i = pixel, to = at(i).load(std::memory_order_relaxed);
+  if (to < 0) return -1;
+  while (to != i) {
+    to = at(to).load(std::memory_order_relaxed);
+    at(i).store(to, std::memory_order_relaxed);
+    i = to, to = at(i).load(std::memory_order_relaxed);
+  }
+  return i;
+}
+
 }  // namespace
 
 void crease_basins(CpuExecutor& executor, const CreaseHeight& height, ImageView<std::int32_t> root) {
@@ -66,18 +81,9 @@ void crease_basins(CpuExecutor& executor, const CreaseHeight& height, ImageView<
     std::copy_n(root.row(y), width, row);
     descend_row(map, width, y, row);
   });
-  // One thread: it leaves the pixels that it passes nearer to their basin.
-  const auto at = [&next](int i) -> int& { return next[static_cast<std::size_t>(i)]; };
-  for (int y = 0; y < root.height; ++y)
-    for (int x = 0; x < width; ++x) {
-      int i = y * width + x;
-      if (at(i) < 0) {
-        root(x, y) = -1;
-        continue;
-      }
-      while (at(i) != i) i = at(i) = at(at(i));
-      root(x, y) = i;
-    }
+  executor.for_each_row(root.height, [&](int y) {
+    for (int x = 0; x < width; ++x) root(x, y) = basin_of(next, y * width + x);
+  });
 }
 
 }  // namespace facet

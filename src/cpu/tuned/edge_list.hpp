@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/image_view.hpp"
-#include "cpu/sparse_row.hpp"
+#include "core/sparse_row.hpp"
 
 namespace facet {
 

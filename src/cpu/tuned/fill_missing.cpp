@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/clones.hpp"
-#include "cpu/sparse_row.hpp"
+#include "core/sparse_row.hpp"
 #include "cpu/tuned/fill_rims.hpp"
 
 namespace facet {
