@@ -10,7 +10,8 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 
 find_program(FACET_CCACHE ccache)
 if(FACET_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${FACET_CCACHE})
+  # It keeps nothing of what is compiled with a precompiled header unless it may.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${FACET_CCACHE})
 endif()
 
 add_library(facet_options INTERFACE)
@@ -55,5 +56,6 @@ function(facet_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} facet_options GTest::gtest GTest::gtest_main)
   facet_optimise_lightly(${name})
+  target_precompile_headers(${name} REUSE_FROM facet_test_headers)
   gtest_discover_tests(${name} PROPERTIES LABELS "${ARG_LABELS}" DISCOVERY_TIMEOUT 60 TIMEOUT 600)
 endfunction()
