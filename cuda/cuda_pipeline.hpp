@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/host_threads.hpp"
 #include "pipeline/pipeline.hpp"
 
 namespace facet {
@@ -23,12 +25,16 @@ struct CudaSupport {
 /// kernel; never throws for want of one.
 CudaSupport find_cuda_support();
 
+using MakeHostThreads = std::function<std::unique_ptr<HostThreads>()>;
+
 /// `count` pipelines on the CUDA device that take turns with the frames of one sequence, as
 /// make_cpu_pipelines() makes them; each has a stream and buffers of its own. Their results are those of the
 /// CPU to the bit. Stage times are taken on the device by events, totals by the clock, copies included.
-/// Throws Error{config} where a parameter is out of range, Error{not_measured} where there is no device that
-/// could run them.
+/// `make_threads` gives each the threads that share its work on the host; without it, the calling one does
+/// all. Throws Error{config} where a parameter is out of range, Error{not_measured} where there is no device
+/// that could run them.
 std::vector<std::unique_ptr<Pipeline>> make_cuda_pipelines(int count, const PipelineParams& params,
-                                                           std::uint64_t seed);
+                                                           std::uint64_t seed,
+                                                           const MakeHostThreads& make_threads = {});
 
 }  // namespace facet

@@ -18,8 +18,9 @@ class CudaPipeline final : public Pipeline {
  public:
   using History = PipelineBody<CudaExecutor>::History;
 
-  CudaPipeline(const PipelineParams& params, std::uint64_t seed, std::shared_ptr<History> history)
-      : body_(executor_, params, seed, std::move(history)) {}
+  CudaPipeline(const PipelineParams& params, std::uint64_t seed, std::unique_ptr<HostThreads> threads,
+               std::shared_ptr<History> history)
+      : executor_(std::move(threads)), body_(executor_, params, seed, std::move(history)) {}
 
   void run(StageRange stages, const FrameInput& frame, FrameResult& result) override {
     if (stages.contains(all_stages.first)) check_frame(frame);
@@ -35,12 +36,16 @@ class CudaPipeline final : public Pipeline {
 }  // namespace
 
 std::vector<std::unique_ptr<Pipeline>> make_cuda_pipelines(int count, const PipelineParams& params,
-                                                           std::uint64_t seed) {
+                                                           std::uint64_t seed,
+                                                           const MakeHostThreads& make_threads) {
   validate(params);
   require_device();
   const auto history = std::make_shared<CudaPipeline::History>();
   std::vector<std::unique_ptr<Pipeline>> pipelines;
-  for (int i = 0; i < count; ++i) pipelines.push_back(std::make_unique<CudaPipeline>(params, seed, history));
+  for (int i = 0; i < count; ++i) {
+    auto threads = make_threads ? make_threads() : std::make_unique<HostThreads>();
+    pipelines.push_back(std::make_unique<CudaPipeline>(params, seed, std::move(threads), history));
+  }
   return pipelines;
 }
 

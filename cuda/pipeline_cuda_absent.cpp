@@ -16,7 +16,8 @@ CudaSupport find_cuda_support() {
   return support;
 }
 
-std::vector<std::unique_ptr<Pipeline>> make_cuda_pipelines(int, const PipelineParams& params, std::uint64_t) {
+std::vector<std::unique_ptr<Pipeline>> make_cuda_pipelines(int, const PipelineParams& params, std::uint64_t,
+                                                           const MakeHostThreads&) {
   validate(params);
   throw Error(ErrorKind::not_measured, find_cuda_support().unusable);
 }

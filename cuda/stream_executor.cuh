@@ -3,7 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/host_threads.hpp"
 #include "core/launch.hpp"
@@ -32,7 +34,9 @@ class StreamExecutor : public HostThreads {
   template <class T>
   using Image = DeviceImage<T>;
 
-  StreamExecutor() : timer_(queue_) {
+  /// `host_threads`: for what is shared out on the host; by itself the calling one alone.
+  explicit StreamExecutor(std::shared_ptr<HostThreads> host_threads = std::make_shared<HostThreads>())
+      : HostThreads(host_threads->workers()), host_threads_(std::move(host_threads)), timer_(queue_) {
     words_.reserve(sizeof(DeviceWords));
     host_words_.reserve(sizeof(HostWords));
     fill(word(&words_.as<DeviceWords>()->changed), 0);
@@ -143,6 +147,8 @@ class StreamExecutor : public HostThreads {
   std::uint64_t work_given() const { return work_; }
 
  private:
+  void run(int count, const Task& task) override { host_threads_->share_out(count, task); }
+
   /// What single words the kernels write, on the device and in host memory.
   struct DeviceWords {
     unsigned long long sum;
@@ -184,6 +190,7 @@ class StreamExecutor : public HostThreads {
   }
 
   std::uint64_t work_ = 0;  ///< tells how old a copy for the host is
+  std::shared_ptr<HostThreads> host_threads_;
   DeviceMemory words_;
   PinnedMemory host_words_, upload_staging_, download_staging_;
   std::optional<std::uint64_t> uploaded_at_;

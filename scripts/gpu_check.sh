@@ -38,7 +38,9 @@ for tool in memcheck racecheck; do
   fi
 done
 
-"$here/bin/facet_gpu_check" --frames "$here/frames" --json "$work/json" --markdown "$work/md" "${facts[@]}"
+threads=$(nproc)
+"$here/bin/facet_gpu_check" --frames "$here/frames" --threads "$((threads < 8 ? threads : 8))" \
+  --json "$work/json" --markdown "$work/md" "${facts[@]}"
 measured=$?
 [ -s "$work/json" ] || exit "$measured"
 cp "$work/json" "$out/$name.json"

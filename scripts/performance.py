@@ -27,11 +27,11 @@ def run(*command, **options):
     return subprocess.run([str(c) for c in command], check=True, text=True, **options)
 
 
-def build(source):
+def build(source, *options):
     """The benchmarks of a tree, as released."""
     binary_dir = source / "build/release"
     quiet = {"stdout": subprocess.DEVNULL, "cwd": source}
-    run("cmake", "--preset", "release", "-DFACET_CUDA=OFF", **quiet)
+    run("cmake", "--preset", "release", "-DFACET_CUDA=OFF", *options, **quiet)
     run("cmake", "--build", binary_dir, "--target", "bench_stages", "count_stages", **quiet)
     return binary_dir
 
@@ -41,10 +41,11 @@ def build_base(commit, tree):
     if not tree.exists():
         run("git", "worktree", "add", "--detach", tree, commit, cwd=ROOT)
     run("git", "checkout", "--quiet", "--force", "--detach", commit, cwd=tree)  # of files of ours from the last time
-    for name in ("CMakeLists.txt", "bench_scene.cpp", "bench_scene.hpp", "bench_stages.cpp", "count_stages.cpp",
+    for name in ("bench_scene.cpp", "bench_scene.hpp", "bench_stages.cpp", "CMakeLists.txt", "count_stages.cpp",
                  "stage_traffic.cpp", "stage_traffic.hpp"):
         shutil.copy(ROOT / "tools" / name, tree / "tools" / name)
-    return build(tree)
+    shutil.copy(ROOT / "cmake/FacetBuild.cmake", tree / "cmake/FacetBuild.cmake")  # what those files call
+    return build(tree, "-DFACET_TESTS=OFF")
 
 
 def bench(binaries, pattern, cores):

@@ -29,7 +29,7 @@ struct Arguments {
   std::string frames = "frames", make_frames, json, markdown, backend = "cuda";
   bool device = false;
   std::vector<std::string> facts;
-  int warmup = 20, repeats = 1000, in_flight = 8, batch_frames = 10000;
+  int warmup = 20, repeats = 1000, in_flight = 8, batch_frames = 10000, threads = 1;
 };
 
 int make_frames(const std::string& folder) {
@@ -68,6 +68,7 @@ class GpuCheck {
     fact("driver serves CUDA", cuda.driver.empty() ? "no driver" : cuda.driver);
     fact("built with CUDA", cuda_compiler().empty() ? "no" : cuda_compiler());
     fact("CPU threads", std::to_string(std::thread::hardware_concurrency()));
+    fact("threads on the host inside a single frame", std::to_string(a_.threads));
     for (const std::string& text : a_.facts) {
       const std::size_t sign = text.find('=');
       fact(text.substr(0, sign), sign == std::string::npos ? "yes" : text.substr(sign + 1));
@@ -84,8 +85,10 @@ class GpuCheck {
  private:
   bool on_device() const { return a_.backend == "cuda"; }
   void fact(const std::string& key, const std::string& text) { report_.facts.emplace_back(key, text); }
-  std::unique_ptr<Pipeline> make() const {
-    return on_device() ? std::move(make_cuda_pipelines(1, {}, seed).front()) : make_cpu_pipeline({}, seed);
+  std::unique_ptr<Pipeline> make(int threads = 1) const {
+    if (!on_device()) return make_cpu_pipeline({}, seed, threads);
+    return std::move(
+        make_cuda_pipelines(1, {}, seed, [threads] { return make_host_threads(threads); }).front());
   }
 
   void compare(const std::vector<RawFrame>& frames) {
@@ -99,7 +102,7 @@ class GpuCheck {
   void measure(const std::vector<RawFrame>& frames) {
     SizeReport size{frames.front().depth.size(),
                     static_cast<int>(frames.size()),
-                    measure_latency(*make(), frames, a_.warmup, a_.repeats),
+                    measure_latency(*make(a_.threads), frames, a_.warmup, a_.repeats),
                     measure_throughput([this] { return make(); }, frames, a_.in_flight, 2 * a_.repeats),
                     measure_latency(*make_cpu_pipeline({}, seed), frames, 1, std::max(1, a_.repeats / 10)),
                     {}};
@@ -154,6 +157,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--warmup", a.warmup, "frames before the measured ones")->check(CLI::Range(1, 1000000));
   app.add_option("--repeats", a.repeats, "frames that are measured")->check(CLI::Range(1, 1000000));
+  app.add_option("--threads", a.threads, "on the host, inside a single frame")->check(CLI::Range(1, 1024));
   app.add_option("--in-flight", a.in_flight, "frames at a time")->check(CLI::Range(1, 256));
   app.add_option("--batch-frames", a.batch_frames, "frames of the batch")->check(CLI::Range(1, 100000000));
   try {

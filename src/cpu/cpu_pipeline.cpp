@@ -57,4 +57,8 @@ std::vector<std::unique_ptr<Pipeline>> make_cpu_pipelines(int count, const Pipel
   return pipelines;
 }
 
+std::unique_ptr<HostThreads> make_host_threads(int threads) {
+  return std::make_unique<CpuExecutor>(threads);
+}
+
 }  // namespace facet

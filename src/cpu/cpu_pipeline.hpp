@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/host_threads.hpp"
 #include "pipeline/pipeline.hpp"
 
 namespace facet {
@@ -17,5 +18,8 @@ std::unique_ptr<Pipeline> make_cpu_pipeline(const PipelineParams& params, std::u
 /// first stage of a frame must follow that of the frame before.
 std::vector<std::unique_ptr<Pipeline>> make_cpu_pipelines(int count, const PipelineParams& params,
                                                           std::uint64_t seed, int threads = 1);
+
+/// Threads for what another back end does on the host.
+std::unique_ptr<HostThreads> make_host_threads(int threads);
 
 }  // namespace facet

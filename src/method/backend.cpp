@@ -45,8 +45,8 @@ BackendChoice choose_backend(std::string_view asked) {
 std::vector<std::unique_ptr<Pipeline>> make_pipelines(Backend backend, int count,
                                                       const PipelineParams& params, std::uint64_t seed,
                                                       int threads) {
-  return backend == Backend::cuda ? make_cuda_pipelines(count, params, seed)
-                                  : make_cpu_pipelines(count, params, seed, threads);
+  if (backend == Backend::cpu) return make_cpu_pipelines(count, params, seed, threads);
+  return make_cuda_pipelines(count, params, seed, [threads] { return make_host_threads(threads); });
 }
 
 }  // namespace facet

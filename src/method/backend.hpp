@@ -27,8 +27,8 @@ BackendChoice choose_backend(std::string_view asked);
 /// CUDA on this machine: looked for, and tried on a small frame against the CPU, once.
 const CudaSupport& cuda_support();
 
-/// `count` pipelines that take turns with the frames of one sequence. `threads`: inside one frame, on the
-/// CPU. Throws as make_cpu_pipelines() and make_cuda_pipelines() do.
+/// `count` pipelines that take turns with the frames of one sequence. `threads`: inside one frame, for what
+/// is done on the CPU. Throws as make_cpu_pipelines() and make_cuda_pipelines() do.
 std::vector<std::unique_ptr<Pipeline>> make_pipelines(Backend backend, int count,
                                                       const PipelineParams& params, std::uint64_t seed,
                                                       int threads);

@@ -227,8 +227,11 @@ class PipelineBody {
 
   void collect_pixels(FrameResult& result, int count) {
     executor_.fetch(b_.depth, b_.filled);
-    pixels_.collect(result.labels.view(), count, executor_.on_host(b_.depth), executor_.on_host(b_.filled),
-                    camera_, params_.pose.max_points);
+    collect_pixels(result, count, executor_.on_host(b_.depth), executor_.on_host(b_.filled));
+  }
+  void collect_pixels(FrameResult& result, int count, ImageView<const float> depth_m,
+                      ImageView<const std::uint8_t> filled) {
+    pixels_.collect(result.labels.view(), count, depth_m, filled, camera_, params_.pose.max_points);
     result.surfaces.resize(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) result.surfaces[static_cast<std::size_t>(i)].id = i + 1;
   }
@@ -256,11 +259,14 @@ class PipelineBody {
 
   void trace_edges(FrameResult& result) {
     executor_.fetch(b_.edge, b_.depth, b_.filled);
+    const auto edge = executor_.on_host(b_.edge);
+    const auto depth_m = executor_.on_host(b_.depth);
+    const auto filled = executor_.on_host(b_.filled);
     executor_.share_out(2, [&](int i, int) {  // neither needs the other
       if (i == 0)
-        collect_pixels(result, static_cast<int>(result.surfaces.size()));
+        collect_pixels(result, static_cast<int>(result.surfaces.size()), depth_m, filled);
       else
-        edge_borders_.follow(executor_.on_host(b_.edge));
+        edge_borders_.follow(edge);
     });
     // The holes of the edge map are the regions as they were before edge pixels were given back.
     trace_edge_map(edge_borders_, numbered_.view(), result.surfaces);

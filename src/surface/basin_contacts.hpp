@@ -13,8 +13,8 @@ struct BasinContact {
   float strength;  ///< of the stronger one
 };
 
-/// All of them in raster order of the left or upper one, which is in the rows begin_y ... end_y - 1. `region`:
-/// numbers, -1 = none.
+/// All of them in raster order of the left or upper one, which is in the rows begin_y ... end_y - 1.
+/// `region`: numbers, -1 = none.
 void collect_contacts(const BasinLandscape& landscape, ImageView<const std::int32_t> region, int begin_y,
                       int end_y, std::vector<BasinContact>& contacts);
 

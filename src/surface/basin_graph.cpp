@@ -46,8 +46,8 @@ void BasinGraph::build(HostThreads& threads, const BasinLandscape& landscape,
 }
 
 FACET_CPU_CLONES void BasinGraph::collect_moments(const BasinLandscape& l,
-                                                  ImageView<const std::int32_t> basin, int begin_y,
-                                                  int end_y, std::vector<PatchMoments>& moments) {
+                                                  ImageView<const std::int32_t> basin, int begin_y, int end_y,
+                                                  std::vector<PatchMoments>& moments) {
   for (int y = begin_y; y < end_y; ++y)
     for (int begin = 0, end = 0; begin < basin.width; begin = end) {
       const std::int32_t number = basin(begin, y);

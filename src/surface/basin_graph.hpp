@@ -76,9 +76,9 @@ class BasinGraph {
   DisjointSets sets_;
   std::vector<BasinBorder> borders_;
   // The borders of every region as a linked list of their sides: 2 i and 2 i + 1 are those of border i.
-  std::vector<int> first_, last_;  ///< side by region, -1 = none
-  std::vector<int> next_;          ///< side by side, -1 = none
-  std::vector<int> degree_;        ///< by region, at least its number of borders
+  std::vector<int> first_, last_;    ///< side by region, -1 = none
+  std::vector<int> next_;            ///< side by side, -1 = none
+  std::vector<int> degree_;          ///< by region, at least its number of borders
   std::vector<std::size_t> begins_;  ///< of the contacts of each border, and their end
   CountingSort<BasinContact> sort_;
 };

@@ -40,8 +40,7 @@ class BorderCompetition {
   void list(int pixel, std::vector<int>& pixels);
   void list_border_pixels(HostThreads& threads, ImageView<const std::int32_t> region);
   void list_pixels_around_moves(Size size);
-  void find_moves(HostThreads& threads, const Competition& competition,
-                  ImageView<const std::int32_t> region);
+  void find_moves(HostThreads& threads, const Competition& competition, ImageView<const std::int32_t> region);
 
   std::vector<int> pixels_;           ///< to look at in this pass
   std::vector<std::uint8_t> listed_;  ///< by pixel

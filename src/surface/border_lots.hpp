@@ -8,8 +8,8 @@
 
 namespace facet {
 
-/// Shares borders out among threads. Depth edges separate islands of basins, which no border links: all borders
-/// of an island are in one lot, so that the lots can be worked through at the same time.
+/// Shares borders out among threads. Depth edges separate islands of basins, which no border links: all
+/// borders of an island are in one lot, so that the lots can be worked through at the same time.
 class BorderLots {
  public:
   /// `borders` between basins 0 ... basin_count - 1. Returns numbers of borders, ascending, by lot; the lots

@@ -41,7 +41,8 @@ PatchFit fit_region(const PatchMoments& moments, const MergeParams& params, cons
   // A surface of radius R has dq/dx = q/f times its slope dz/dx, and d2q/dx2 = 1 / (R f^2).
   const double curvature =
       params.curve_radius_mm > 0 ? 1e3 / (params.curve_radius_mm * focal_px * focal_px) : 1e-12;
-  return moments.fit({reading_variance(moments, noise), usual_slope * moments.mean_q() / focal_px, curvature});
+  return moments.fit(
+      {reading_variance(moments, noise), usual_slope * moments.mean_q() / focal_px, curvature});
 }
 
 /// Whether a border is longer or a side larger than when it was judged.

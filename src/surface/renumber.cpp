@@ -20,8 +20,10 @@ FACET_CPU_CLONES void renumber_row(const std::int32_t* from, const std::int32_t*
 
 void renumber(HostThreads& threads, ImageView<const std::int32_t> from,
               const std::vector<std::int32_t>& number, ImageView<std::int32_t> to) {
-  if (number.empty()) return threads.for_each_row(to.height, [&](int y) { std::fill_n(to.row(y), to.width, -1); });
-  threads.for_each_row(to.height, [&](int y) { renumber_row(from.row(y), number.data(), to.width, to.row(y)); });
+  if (number.empty())
+    return threads.for_each_row(to.height, [&](int y) { std::fill_n(to.row(y), to.width, -1); });
+  threads.for_each_row(to.height,
+                       [&](int y) { renumber_row(from.row(y), number.data(), to.width, to.row(y)); });
 }
 
 }  // namespace facet

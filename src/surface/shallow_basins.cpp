@@ -11,8 +11,8 @@
 namespace facet {
 namespace {
 
-/// Step of inverse depth across a contact, and the largest one within a surface: what is tolerated, noise, or a
-/// step of the fixed point.
+/// Step of inverse depth across a contact, and the largest one within a surface: what is tolerated, noise, or
+/// a step of the fixed point.
 struct Step {
   double size, most;
 };

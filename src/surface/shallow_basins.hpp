@@ -75,7 +75,7 @@ class ShallowBasins {
   std::vector<Basin> basins_;
   std::vector<Pass> passes_;
   CountingSort<Pass> sort_;
-  std::vector<std::int32_t> number_;  ///< of a basin by raster index of its name; then of a region by basin
+  std::vector<std::int32_t> number_;   ///< of a basin by raster index of its name; then of a region by basin
   std::vector<std::uint8_t> is_name_;  ///< by pixel of a row
   DisjointSets sets_;
 };

@@ -74,7 +74,7 @@ TEST_P(EmulatedPipeline, GivesTheResultOfTheCpuHoweverLateTheDeviceWorks) {
 TEST_P(EmulatedPipeline, GivesTheResultOfTheCpuInARunningSequence) {
   emulated_runtime() = {};
   const auto cpu = make_cpu_pipeline(GetParam().params, 7);
-  EmulatedExecutor executor;
+  EmulatedExecutor executor(make_host_threads(3));
   PipelineBody<EmulatedExecutor> body(executor, GetParam().params, 7);
   const Camera camera = scaled_camera(size);
   FrameResult expected, result;

@@ -56,8 +56,8 @@ struct Landscape {
   Image<std::int32_t> merged(const MergeParams& params = {}, HostThreads&& threads = HostThreads()) const {
     Image<std::int32_t> region;
     const Image<std::int32_t> named = named_by_first_pixel(basin);
-    BasinMerging().merge(threads, {named.view(), inverse_depth.view(), unit, strength.view(), 0.087f, camera}, params,
-                         kinect_v1_noise(), region);
+    BasinMerging().merge(threads, {named.view(), inverse_depth.view(), unit, strength.view(), 0.087f, camera},
+                         params, kinect_v1_noise(), region);
     return region;
   }
 };
@@ -227,7 +227,8 @@ TEST(BasinMerging, IsTheSameForASecondFrame) {
   HostThreads one_thread;
   Image<std::int32_t> region;
   for (const Landscape* l : {&scene, &other, &scene})
-    merging.merge(one_thread, {l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), 0.087f, camera}, {},
+    merging.merge(one_thread,
+                  {l->basin.view(), l->inverse_depth.view(), unit, l->strength.view(), 0.087f, camera}, {},
                   kinect_v1_noise(), region);
   const Image<std::int32_t> fresh = scene.merged();
   for (int y = 0; y < size.height; ++y)

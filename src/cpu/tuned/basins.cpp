@@ -47,8 +47,8 @@ FACET_CPU_CLONES void descend_row(const HeightMap& map, int width, int y, std::i
   }
 }
 
-/// Where the pointers from a pixel end, -1 = on a barrier. Leaves what it passes nearer to that; threads may see
-/// each other's doing, which leads to the same basin.
+/// Where the pointers from a pixel end, -1 = on a barrier. Leaves what it passes nearer to that; threads may
+/// see each other's doing, which leads to the same basin.
 inline int basin_of(std::vector<int>& next, int pixel) {
   const auto at = [&next](int i) { return std::atomic_ref<int>(next[static_cast<std::size_t>(i)]); };
   int i = pixel, to = at(i).load(std::memory_order_relaxed);
