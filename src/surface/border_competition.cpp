@@ -82,18 +82,18 @@ void BorderCompetition::list(int pixel, std::vector<int>& pixels) {
 /// Every worker lists those of its own rows, so that it also looks at what changes from the row above.
 void BorderCompetition::list_border_pixels(HostThreads& threads, ImageView<const std::int32_t> region) {
   listed_.assign(static_cast<std::size_t>(region.size().area()), 0);
-  const int parts = threads.workers();
-  threads.share_out(parts, [&](int i, int) {
-    std::vector<int>& pixels = parts_[static_cast<std::size_t>(i)].pixels;
-    const int begin_y = region.height * i / parts, end_y = region.height * (i + 1) / parts;
-    pixels.clear();
-    for_each_change(region, std::max(begin_y - 1, 0), end_y, [&](int x, int y, bool down) {
-      const int pixel = y * region.width + x;
-      if (y >= begin_y) list(pixel, pixels);
-      if (y + (down ? 1 : 0) >= begin_y && y + (down ? 1 : 0) < end_y)
-        list(pixel + (down ? region.width : 1), pixels);
-    });
-  });
+  for (Part& part : parts_) part.pixels.clear();
+  threads.for_each_part(
+      static_cast<std::size_t>(region.height), 1, [&](std::size_t i, std::size_t begin, std::size_t end) {
+        std::vector<int>& pixels = parts_[i].pixels;
+        const int begin_y = static_cast<int>(begin), end_y = static_cast<int>(end);
+        for_each_change(region, std::max(begin_y - 1, 0), end_y, [&](int x, int y, bool down) {
+          const int pixel = y * region.width + x;
+          if (y >= begin_y) list(pixel, pixels);
+          if (y + (down ? 1 : 0) >= begin_y && y + (down ? 1 : 0) < end_y)
+            list(pixel + (down ? region.width : 1), pixels);
+        });
+      });
   pixels_.clear();
   for (const Part& part : parts_) pixels_.insert(pixels_.end(), part.pixels.begin(), part.pixels.end());
 }
